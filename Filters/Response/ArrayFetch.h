@@ -21,8 +21,8 @@ inline std::string shapeOf(vtkAbstractArray* array)
     " components and ", array->GetNumberOfTuples(), " tuples");
 }
 
-/// The memory of a response array. Returns null and an error unless the array has exactly the type
-/// and shape of the contract.
+/// Returns a pointer to the values of a response array. Returns null and an error unless the array
+/// has exactly the type and shape of the contract.
 template <class Array>
 const typename Array::ValueType* fetchArray(vtkPolyData* body, const std::string& name,
   ResponseArray which, const ResponseArrays& arrays, std::string& error)

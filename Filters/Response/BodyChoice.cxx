@@ -106,8 +106,8 @@ std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double&
   const double found = at->GetTuple1(0);
   if (depth == 0.0)
   {
-    // If the depth of the regime followed Range, RegimeDeflection is the largest depth. The default
-    // here also follows Range.
+    // If RegimeDeflection is half of the largest Range, the regime had the default depth (half of
+    // Range at each point). Then the depth here is also the default, 0.
     const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
     depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
     return {};

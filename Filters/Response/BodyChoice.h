@@ -20,8 +20,8 @@ struct AttachedChoice
   ResponseChoice choice;
   std::string reason;
   int numbersPerPointBefore = 0;
-  RelaxationNeed relaxation; ///< set for a body that relaxes
-  TiltNeed tilt;             ///< set for a tool that may be tilted
+  RelaxationNeed relaxation; ///< set if the body relaxes
+  TiltNeed tilt;             ///< set if the tool may be tilted
 };
 
 /// Replaces a body's response by its simplest form, see vtkResponseChoice.

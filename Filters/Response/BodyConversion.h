@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Conversion from vtkPolyData to the spans of the contact kernel.
+ * Conversion from vtkPolyData to the data of the contact kernel.
  *
- * This is the only place that fetches the response arrays of the data contract
- * (Contact/ResponseContract.h). An error text names the array, the expected form and the form
- * found.
+ * Only this code fetches the response arrays of the data contract (Contact/ResponseContract.h). An
+ * error message names the array, the expected form and the form found.
  */
 #ifndef BodyConversion_h
 #define BodyConversion_h
@@ -24,23 +23,23 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Checks the cells of a body. It must have triangles; other polygons, strips, corners without a
-/// point and more than 2^31 points are errors. Returns "" if the cells are valid, else an error
-/// message.
+/// Checks the cells of a body: it must have only triangles. Other polygons, strips, corners that
+/// refer to a missing point, and more than 2^31 points are errors. Returns "" if the cells are
+/// valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
-/// Three point indices per triangle (copyTriangles), and x, y, z per point (copyPoints), of a body
-/// that has passed checkTriangles.
+/// Copy the cells and the points of a body that has passed checkTriangles: copyTriangles returns
+/// three point indices per triangle, copyPoints returns x, y, z per point.
 PALPATERESPONSE_EXPORT std::vector<std::int32_t> copyTriangles(vtkPolyData* body);
 PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
-/// The surface of a body that has passed checkTriangles.
+/// Returns the surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 
-/// The point or field data of a body, wherever the contract places the array.
+/// Returns the point data or the field data of a body: the one where the contract places the array.
 PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
-/// Removes all arrays of a response with this use.
+/// Removes those arrays of the response `name` that have the use `use`.
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
 
@@ -68,9 +67,9 @@ PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
-/// As above, for a body that has the points and triangles of `same` but other responses. Both share
-/// the surface, which takes a tenth of the time. `isMultiple`: the curves are those of `same` times
-/// a number.
+/// Makes the data of a body with the points and triangles of `same` but other responses. The two
+/// bodies share the surface, so this takes a tenth of the time. `isMultiple`: the curves are the
+/// curves of `same` times one factor.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const ContactBody& same, bool isMultiple = false);
 
@@ -102,17 +101,19 @@ struct ResponseModel
 PALPATERESPONSE_EXPORT void describeModel(
   vtkPolyData* body, const std::string& name, const ResponseModel& model);
 
-/// The point array of a body with its motion by finite elements (vtkElasticCompliance).
+/// Name of the point array with the body's motion, computed by finite elements
+/// (vtkElasticCompliance).
 constexpr const char* CouplingModesName = "CouplingModes";
 
 /// Attaches the field arrays RelaxationStrength and RelaxationTime. Replaces existing ones.
 PALPATERESPONSE_EXPORT void describeRelaxation(
   vtkPolyData* body, const std::string& name, const PronySeries& series);
 
-/// The model of a response. Older files have only the text; the parts are then read from it.
+/// Returns the model of a response. Older files store only the text; the parts are then read from
+/// the text.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
 
-/// The string in a field array (Tool, Model, Units); "" if the body has no such array.
+/// Returns the string in a field array (Tool, Model, Units); "" if the body has no such array.
 PALPATERESPONSE_EXPORT std::string responseText(
   vtkPolyData* body, const std::string& name, ResponseArray which);
 } // namespace palpate

@@ -53,7 +53,7 @@ FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
   return numbers.empty() ? own : triangleOf(numbers);
 }
 
-/// Views of the modes. Modes of other types are copied into `kept`.
+/// Returns views of the modes. Modes of other types are converted to arrays in `kept`.
 std::vector<ModeSpan> viewModes(
   const std::vector<vtkDataArray*>& modes, std::vector<vtkSmartPointer<vtkDataArray>>& kept)
 {
@@ -152,8 +152,8 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
 
 namespace
 {
-/// Reads the stack from the body's arrays. The stack has no layers if the arrays are missing or
-/// invalid.
+/// Reads the layer stack from the body's arrays. The stack has no layers if the arrays are missing
+/// or invalid.
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {
@@ -255,7 +255,7 @@ public:
       this->PolysTime == body->GetPolys()->GetMTime();
   }
 
-  /// Has no body if the input has a fault; the field then ends at the defects.
+  /// Has no body if the input has a fault. The field then ends at the defects of the mesh.
   const SoundBody Sound;
   const BodyMesh Mesh;
   const BodySeam Seam;
@@ -305,7 +305,8 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
       this->Warnings.emplace_back("The response has a global compliance, but the body no "
                                   "GlobalMode0...; the field shows the local part alone, at the "
                                   "whole deflection");
-      this->ReportedModel = model.text; // a live display computes the field many times per second
+      // Reported once, because a live display computes the field often.
+      this->ReportedModel = model.text;
     }
   }
   if (ranks.any(!this->Piece || !this->Piece->isOf(body)))

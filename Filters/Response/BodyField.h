@@ -48,7 +48,8 @@ public:
   /// Returns "" or an error message, the same on all ranks.
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// The parts that displace() left out, as sentences. Missing modes are reported once.
+  /// Sentences about the parts of the field that displace() has left out. Missing modes are
+  /// reported once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 
 private:
@@ -60,25 +61,27 @@ private:
   std::string ReportedModel;
 };
 
-/// The triangle `cell` of a body, with the data that a field of the response `name` uses there.
+/// Returns the triangle `cell` of a body, with the data that a field of the response `name` needs
+/// there.
 PALPATERESPONSE_EXPORT FieldTriangle fieldTriangle(
   vtkPolyData* body, vtkIdType cell, const std::string& name);
 
-/// The point array with the NearField of a body of true shape: NearField::Numbers numbers per
-/// point.
+/// Name of the point array with the NearField of a body of true shape. It has NearField::Numbers
+/// components.
 constexpr const char* NearFieldArray = "NearField";
 
-/// The point array of mode `k` of a body's motion (GlobalModes.h): 3 numbers per point, sqrt(mm/N).
+/// Name of the point array of mode `k` of a body's motion (GlobalModes.h). It has 3 components, in
+/// sqrt(mm/N).
 inline std::string globalModeName(std::size_t k)
 {
   return "GlobalMode" + std::to_string(k);
 }
 
-/// The field array of the signs of the modes, 1 or -1.
+/// Name of the field array with the signs of the modes, 1 or -1.
 constexpr const char* GlobalModeSignArray = "GlobalModeSign";
 
-/// The modes that belong to the response `name` of a body. Empty unless the response has a global
-/// compliance or is of true shape.
+/// Returns the arrays of the modes that belong to the response `name` of a body. The result is
+/// empty unless the response has a global compliance or is of true shape.
 PALPATERESPONSE_EXPORT std::vector<vtkDataArray*> globalModeArrays(
   vtkPolyData* body, const std::string& name);
 
@@ -88,8 +91,8 @@ PALPATERESPONSE_EXPORT void addDisplacements(vtkFloatArray* other, vtkFloatArray
 /// Whether a cell is one of the triangles of a body.
 PALPATERESPONSE_EXPORT bool isTriangle(vtkPolyData* body, vtkIdType cell);
 
-/// Checks the triangles, and the point arrays of modes and layer. Returns "" if they are valid,
-/// else an error message. Without this check an array without a value per point is ignored.
+/// Checks the triangles and the point arrays of modes and layer. Returns "" if they are valid, else
+/// an error message. Other functions ignore an array that does not have one value per point.
 PALPATERESPONSE_EXPORT std::string checkBody(vtkPolyData* body, const std::string& name);
 } // namespace palpate
 

@@ -33,10 +33,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double WholeBodyShare = 0.9; // fraction of the work, if the body's compliance is included
+/// Fraction of the progress for the body's compliance, if it is included.
+constexpr double WholeBodyShare = 0.9;
 
-/// A response that is made step by step. After each step all ranks agree on a fault and on an
-/// abort, so that none of them waits for another in a later step.
+/// Makes a response step by step. After each step all ranks agree on a fault and on an abort, so
+/// that no rank waits for another one in a later step.
 class ResponseInMaking
 {
 public:
@@ -57,11 +58,12 @@ public:
   const std::string& warning() const { return this->Warning; }
 
 private:
-  /// Returns what is wrong, or "". The fault of an alike step is the same on all ranks.
+  /// A step of the work. `take` returns an error message or "". If `isAlike`, the message is the
+  /// same on all ranks.
   struct Step
   {
     std::string (ResponseInMaking::*take)();
-    bool isForAll; ///< taken by ranks without a piece of the body, too
+    bool isForAll; ///< whether ranks without a piece of the body take the step, too
     bool isAlike;
   };
   static const std::array<Step, 14> Steps;
@@ -93,14 +95,15 @@ private:
     return !this->Observer || this->Observer(from + (1.0 - from) * done);
   }
   SurfaceShape shape() const;
-  /// Collective: all ranks return the same fault, or no correction if one of them was aborted.
+  /// Makes the finite-strain correction. Collective: all ranks return the same fault, or no
+  /// correction if one of them was aborted.
   Checked<std::unique_ptr<StrainCorrection>> makeStrain(
     const BodyMaterial& material, const StrainLaw& law) const;
 
   const Ranks& All;
   vtkPolyData* Input;
   vtkPolyData* Output;
-  LawRequest Request; ///< with the chosen terms
+  LawRequest Request; ///< the request, with the chosen terms
   const std::function<bool(double)>& Observer;
   BodyMaterial Material;
   bool HasPiece;
@@ -114,7 +117,7 @@ private:
   vtkIdType NotPressed = 0;
   std::unique_ptr<StrainCorrection> Strain;
   MadeResponse Made;
-  std::string Reason; ///< of the choice of terms
+  std::string Reason; ///< reason for the choice of terms
   std::string Warning;
   bool IsEnded = false;
 };
@@ -289,8 +292,8 @@ std::string ResponseInMaking::fillCurves()
 std::string ResponseInMaking::attach()
 {
   const std::string& name = this->Request.responseName;
-  // A joined point has no triangle of its own. It gets the response of the first point at its
-  // place.
+  // A joined point has no triangle of its own, but gets the response of the first point at its
+  // place. So it is not counted here.
   const vtkIdType without =
     static_cast<vtkIdType>(this->Made.without) - this->Sound->joinedPoints() - this->NotPressed;
   if (without > 0)

@@ -25,26 +25,27 @@ namespace palpate
 class AxisymmetricTool;
 struct MeasuredBodyError;
 
-/// A tool pressed into a material.
+/// Input of attachResponse and attachRegime: a tool that is pressed into a material.
 struct LawRequest
 {
   vtkContactTool* tool = nullptr;
   std::string responseName = "Response";
-  /// For a response: depth of the last sample, mm. For a regime: depth at which it is judged, mm
-  /// (0: half of each point's range).
+  /// Depth, mm. For a response: depth of the last sample. For a regime: depth of the verdict (0:
+  /// half of each point's range).
   double deflection = 0.0;
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;
-  int samples = 8;                             ///< for a response
-  LawTerms terms = {};                         ///< for a response
-  const MeasuredBodyError* measured = nullptr; ///< error of the material, for a response whose
-                                               ///< material was measured
-  RelaxationRequest relaxation = {};           ///< for a response
-  bool couples = false;       ///< for a response: whether contacts on the body can interact
-  MaterialArray pressed = {}; ///< for a response: nonzero at the points that get a response;
-                              ///< without an array all points get one
-  bool wholeBody = false;     ///< for a response: whether it includes the body's compliance
-                              ///< (WholeBody.h)
+  int samples = 8;     ///< number of samples of a curve, for a response
+  LawTerms terms = {}; ///< optional terms, for a response
+  /// Error of the material, for a response with a measured material.
+  const MeasuredBodyError* measured = nullptr;
+  RelaxationRequest relaxation = {}; ///< relaxation of the body, for a response
+  bool couples = false;              ///< for a response: whether contacts on the body can interact
+  /// For a response: nonzero at the points that get a response; without an array, all points get
+  /// one.
+  MaterialArray pressed = {};
+  bool wholeBody = false; ///< for a response: whether it includes the body's compliance
+                          ///< (WholeBody.h)
 };
 
 /// Checks the settings of a response. Returns "" if they are valid, else an error message.

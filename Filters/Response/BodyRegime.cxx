@@ -50,7 +50,8 @@ struct RegimeStorage
   }
 };
 
-/// The arrays of a request, and the compliance of the body's response if no other is given.
+/// Returns the arrays of a request. If no compliance is given, adds the compliance of the body's
+/// response.
 MaterialArrays arraysOf(vtkPolyData* body, const LawRequest& request)
 {
   MaterialArrays arrays = request.arrays;
@@ -120,7 +121,7 @@ std::string attachRegime(
     return "Wrong input: " + fault;
   }
   vtkPolyData* body = sound.body();
-  // No rank has a fault from here onward. A rank without a piece only takes part in the collective
+  // No rank can fail after this line. A rank without a piece only takes part in the collective
   // calls.
   const std::string& name = request.responseName;
   vtkSmartPointer<vtkContactTool> tool;
@@ -151,7 +152,8 @@ std::string attachRegime(
   std::shared_ptr<const BodyShape> shape;
   if (ranks.any((parts & CurvaturePart) != 0))
   {
-    // The curvatures are those of the response, averaged over its widest contact.
+    // The curvatures are those of the response. They are averaged over the widest contact of the
+    // response.
     double radius = 0.0;
     auto* normals = vtkFloatArray::SafeDownCast(
       body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));

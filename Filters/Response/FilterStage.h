@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Whether a filter must stop: because an abort of this filter was requested or, since VTK 9.3, of
-/// a filter before it in the pipeline.
+/// Whether a filter must stop, because an abort was requested for this filter or, since VTK 9.3,
+/// for an earlier filter of the pipeline.
 inline bool isAborted(vtkAlgorithm* filter)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -20,7 +20,7 @@ inline bool isAborted(vtkAlgorithm* filter)
 #endif
 }
 
-/// A fraction of a filter's work. Reports progress within [from, to]; returns whether to continue.
+/// A part of a filter's work. Reports progress within [from, to]. Returns whether to continue.
 struct FilterStage
 {
   vtkAlgorithm* filter;
@@ -34,8 +34,8 @@ struct FilterStage
   }
 };
 
-/// Updates a filter that is used within `stage.filter`. Forwards its progress and passes an abort
-/// on. Returns false if aborted.
+/// Updates the filter `inner`, which is used within `stage.filter`. Forwards its progress, and
+/// passes an abort to it. Returns false if aborted.
 inline bool runWithin(vtkAlgorithm* inner, FilterStage stage)
 {
   vtkNew<vtkCallbackCommand> forward;

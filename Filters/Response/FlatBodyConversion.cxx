@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// A VTK array with a copy of flat memory.
+/// Returns a VTK array with a copy of the values.
 template <class Array, class Value>
 vtkSmartPointer<Array> copied(
   const std::string& name, const Value* values, int components, vtkIdType tuples)
@@ -36,7 +36,8 @@ vtkSmartPointer<Array> copied(
   return array;
 }
 
-/// Points as floats if all coordinates are floats, so that later code gets the same bits.
+/// Returns points stored as floats if all coordinates are exactly representable as floats.
+/// Otherwise returns points stored as doubles.
 vtkSmartPointer<vtkDataArray> copiedPoints(const double* coordinates, vtkIdType count)
 {
   const bool fits = std::all_of(coordinates, coordinates + 3 * count,

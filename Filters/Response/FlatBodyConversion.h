@@ -21,9 +21,9 @@ namespace palpate
 PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 
-/// Reads such a file as a body that has the response under the prefix `name`. All numbers are bit
-/// for bit those that were written. Returns null and an error that names the file if it cannot be
-/// used.
+/// Reads a flat body file as a body that has the response under the prefix `name`. All numbers are
+/// bitwise equal to the written ones. Returns null and an error that names the file if the file is
+/// not valid.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> readFlatBody(
   const std::string& path, const std::string& name, std::string& error);
 } // namespace palpate

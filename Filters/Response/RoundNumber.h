@@ -6,7 +6,8 @@
 
 namespace palpate
 {
-/// The largest number of the form 1, 2 or 5 times a power of ten that is not above `value` > 0.
+/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `value` >
+/// 0.
 inline double roundDown(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -14,7 +15,7 @@ inline double roundDown(double value)
   return decade * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
 }
 
-/// The smallest number of the form 1, 2, 3, 4, 6 or 8 times a power of ten that is not below
+/// Returns the smallest number of the form 1, 2, 3, 4, 6 or 8 times a power of ten that is at least
 /// `value` > 0. A quarter of such a number has few digits, too.
 inline double roundUp(double value)
 {

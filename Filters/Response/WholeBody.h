@@ -8,13 +8,13 @@
 
 namespace palpate
 {
-/// How a response includes the compliance of the body as a whole.
+/// Result of includeWholeBody.
 struct WholeBody
 {
   vtkSmartPointer<vtkPolyData> body; ///< the body with the arrays of the compliance
-  std::string heldAt;  ///< the sides at which the body is held; "": the compliance is not included
-  std::string warning; ///< the reason why the compliance is not included, or a repair of the
-                       ///< surface; "" if neither applies
+  std::string heldAt; ///< sides at which the body is held; "": the compliance is not included
+  /// Reason why the compliance is not included, or a repair of the surface; "" if neither.
+  std::string warning;
   bool isComplete = true; ///< false after an abort
 };
 

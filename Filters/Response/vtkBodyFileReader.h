@@ -80,7 +80,7 @@ protected:
   vtkBodyFileReader();
   ~vtkBodyFileReader() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /** Reads the file, since its content determines the type of the output. */
+  /** Reads the file, because its content determines the type of the output. */
   int RequestDataObject(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestInformation(

@@ -112,8 +112,9 @@ std::string vtkBodySurface::GetNote(int index)
 //------------------------------------------------------------------------------
 int vtkBodySurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  // The composite type comes first, so that a composite is processed as a whole, not block by
-  // block. The last type admits all other data, for which RequestData reports a helpful error.
+  // The composite type is first, so that a composite is processed as a whole and not block by
+  // block. The last type admits all other data, for which RequestData reports an error with the
+  // remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

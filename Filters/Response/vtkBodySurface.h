@@ -128,7 +128,8 @@ public:
   /** The longest side of the axis-aligned box around the last body, mm; 0 if the body is empty. */
   vtkGetMacro(LongestSide, double);
 
-  /** Whether a body with this longest side (mm) probably has another unit: < 5 or > 5000. */
+  /** Whether a body with this longest side (mm) probably has another unit of length: below 5 or
+   * above 5000. */
   static bool IsSizeDoubtful(double longestSide);
 
   ///@{

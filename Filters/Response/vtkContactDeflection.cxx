@@ -37,7 +37,8 @@ void vtkContactDeflection::SetController(vtkMultiProcessController* controller)
   if (this->Controller != controller)
   {
     this->Controller = controller;
-    this->Field = std::make_unique<palpate::BodyField>(); // the old one belongs to other pieces
+    // The old field belongs to pieces of the old controller.
+    this->Field = std::make_unique<palpate::BodyField>();
     this->Modified();
   }
 }

@@ -95,8 +95,8 @@ public:
   ///@{
   /**
    * The field ends at this distance from the contact, mm, even if it would be valid farther out.
-   * Fading begins at 3/4 of the distance. 0 (default): no limit. At the distance r the field is
-   * about (2a/πr) of the deflection.
+   * Fading begins at 3/4 of the distance. 0 (default): no limit. At the distance r the displacement
+   * is about 2a/(πr) times the deflection.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);

@@ -11,12 +11,12 @@
  *
  * Output: a vtkTable with a row per tip, in the order of the polyline, or of the points if the
  * input has no polyline. The first column is the Abscissa, `Time (s)` or `Deflection (mm)`. The
- * next columns are the other one of the two, if known, and `Normal Force (N)`. For a body that
- * relaxes, `Slow Force (N)` and `Memory Force (N)` follow; their sum is the normal force (plotted
- * over deflection it is a loop around the slow force). If present, the magnitudes `Friction Force
- * (N)`, `Force (N)` and `Sent Force (N)` follow. With several polylines, each has its own rows and
- * its own force columns, named `Normal Force of line 2 (N)`, with NaN in the rows of the others.
- * Points outside all lines are then left out.
+ * next columns are the other of these two quantities, if known, and `Normal Force (N)`. For a body
+ * that relaxes, `Slow Force (N)` and `Memory Force (N)` follow. Their sum is the normal force; over
+ * deflection, the normal force is a loop around the slow force. If present, the magnitudes
+ * `Friction Force (N)`, `Force (N)` and `Sent Force (N)` follow. With several polylines, each has
+ * its own rows and its own force columns, named `Normal Force of line 2 (N)`. These columns are NaN
+ * in the rows of other polylines. Points outside all polylines are then left out.
  *
  * Errors: a required array is missing or does not have one number per point (the error names it,
  * and the filter to apply first); Abscissa is Time, but the input has no `Time`.

@@ -17,9 +17,9 @@
  * - `RegimeVerdict` (uint8): 0 shape matters (a tool twice as large changes the force by more than
  *   10 %, the just noticeable difference), 1 mixed, 2 a point force suffices (a tool four times as
  *   large changes it by less than 5 %). The verdict follows from S, not from λ: on a layer λ < 0,
- *   and size matters more than on a half-space. It judges a change of size. A flat compared with a
- *   sphere may differ a little more: by 7 % between the paper's tools where all three had verdict 2
- *   (Testing/Studies/paper, Figure 5).
+ *   and size matters more than on a half-space. The verdict is about the size of a tool. The force
+ *   of a flat may differ a little more from that of a sphere: by 7 % between the paper's tools
+ *   where all three had verdict 2 (Testing/Studies/paper, Figure 5).
  * - field array `RegimeDeflection` (double, mm; the largest depth, if the depth follows Range): the
  *   depth for which λ and S were computed.
  *

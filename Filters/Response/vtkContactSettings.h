@@ -61,7 +61,7 @@ public:
   enum ForceFormType
   {
     /// Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3). The blended normal is shorter
-    /// than 1, so the force loses up to h²/(6R²) inside a facet of size h.
+    /// than 1, so the force is up to h²/(6R²) too small inside a facet of size h.
     Paper = 0,
     /// Σ n_i f_i along the normalised Σ n_i U_i.
     NormalizedDirection = 1,
@@ -74,8 +74,8 @@ public:
   enum ContactSurfaceType
   {
     Facets = 0, ///< the triangles
-    /// One patch per triangle through its vertices and the response's normals there. Its normals
-    /// are continuous across edges. For bodies that are round but have a faceted mesh.
+    /// One patch per triangle. It passes through the vertices and has the response's normals there.
+    /// The normals are continuous across edges. Use it for round bodies with a faceted mesh.
     Smooth = 1
   };
 

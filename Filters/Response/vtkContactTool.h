@@ -226,7 +226,7 @@ public:
    * object, valid until this object changes.
    */
   const palpate::AxisymmetricTool* GetKernel();
-  /** The reason why the kernel is missing, or "". Reports no error. */
+  /** Reason why the kernel is missing, or "". Does not report an error. */
   std::string FindFault();
 
   /** Includes the modification time of the profile's points. */

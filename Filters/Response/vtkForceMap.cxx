@@ -18,7 +18,7 @@
 
 namespace
 {
-/// Adds a point array of numbers that are not known yet.
+/// Adds a point array with NaN at all points.
 vtkFloatArray* addUnknown(const char* name, vtkPolyData* body)
 {
   vtkNew<vtkFloatArray> array;
@@ -54,7 +54,8 @@ int vtkForceMap::RequestData(
     return 0;
   }
   const palpate::StoredError errors(body, this->ResponseName);
-  // The range is a float: a depth that is equal to it before rounding is within it.
+  // The range is stored as a float. The depth is also rounded to float, so that a depth equal to
+  // the range counts as within the range.
   const auto depth = static_cast<double>(static_cast<float>(this->Depth));
   output->ShallowCopy(body);
   vtkFloatArray* force = addUnknown("ForceAtDepth", output);

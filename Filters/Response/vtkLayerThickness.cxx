@@ -38,8 +38,8 @@ vtkStandardNewMacro(vtkLayerThickness);
 namespace
 {
 constexpr double SamplesPerVoxel = 4.0;
-constexpr double LargestTurn = 0.5; // cosine of 60°; at larger angles the surface counts as facing
-                                    // another way
+/// Cosine of 60°: the median excludes points whose normals are at a larger angle.
+constexpr double LargestTurn = 0.5;
 constexpr double MostSamples = 1e6; // largest number of samples per ray
 constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
@@ -70,7 +70,7 @@ struct Surface
   }
 };
 
-/** Reads the scan along rays into the body. */
+/** Finds the base under a point from the values of the scan along a ray into the body. */
 class Rays
 {
 public:
@@ -86,7 +86,7 @@ public:
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
-    this->Interpolator->SetTolerance(0.5); // voxels: the skin may end at the border of the scan
+    this->Interpolator->SetTolerance(0.5); // in voxels; the skin may end at the border of the scan
     this->Interpolator->Initialize(this->Grey);
   }
 
@@ -134,7 +134,8 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether a surface that faces away from the normal of point `i` is within `reach` of a place. */
+/** Whether a point of the surface within `reach` of a place has a normal at more than 90 degrees to
+ * the normal of point `i`. */
 bool LeavesBody(
   const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
 {
@@ -143,7 +144,7 @@ bool LeavesBody(
     near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
 }
 
-/** The median around point `i`, including the point itself. */
+/** Median of the depths around point `i`, including the depth at the point itself. */
 float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>& depth,
   double radius, vtkIdList* near, std::vector<float>& found)
 {
@@ -160,7 +161,7 @@ float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>
   }
   if (found.empty())
   {
-    return NotFound; // no normal
+    return NotFound; // the point has no normal
   }
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
   std::nth_element(found.begin(), middle, found.end());

@@ -98,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the points over which the median is taken, mm; 0: no median. Default 3. */
+  /** Radius of the neighbourhood over which the median is taken, mm; 0: no median. Default 3. */
   vtkSetMacro(SmoothingRadius, double);
   vtkGetMacro(SmoothingRadius, double);
   ///@}

@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the force, > 0. Below about 1e-6 the rounding of floats prevails.
-   * Default 0.01: a tenth of the difference that a hand can notice.
+   * Largest relative error of the force, > 0. Below about 1e-6 the rounding of floats limits the
+   * accuracy. Default 0.01: a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

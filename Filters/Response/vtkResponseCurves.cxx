@@ -47,8 +47,8 @@ std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t co
   return kept;
 }
 
-/// Adds two columns with the bounds of the force by its error. The bounds are limited to 0 and to
-/// twice the force.
+/// Adds two columns with the bounds of the force that follow from its error. The lower bound is at
+/// least 0, the upper bound at most twice the force.
 void addBand(const NamedResponse& response, vtkIdType id, vtkDoubleArray* deflection,
   vtkDoubleArray* force, vtkTable* table)
 {
@@ -138,7 +138,7 @@ std::vector<vtkIdType> vtkResponseCurves::FindSelected(vtkPolyData* body, vtkSel
 {
   if (selection->GetNumberOfNodes() == 0)
   {
-    return {}; // the extractor of VTK 9.1 would report an error
+    return {}; // avoids an error of the extractor of VTK 9.1
   }
   this->SelectionExtractor->SetInputData(0, body);
   this->SelectionExtractor->SetInputData(1, selection);

@@ -46,9 +46,9 @@ public:
   ///@}
 
   ///@{
-  /** Thickness h of an elastic layer on a rigid base, mm, >= 0, of points without an array. 0, the
-   * default, means a half-space. On a body of true shape it is the layer with which AutomaticTerms
-   * compares. */
+  /** Thickness h of an elastic layer on a rigid base, mm, >= 0, used where no array gives the
+   * thickness. Default 0: a half-space. For a body of true shape, AutomaticTerms compares the
+   * response with that of this layer. */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
@@ -107,8 +107,9 @@ public:
   ///@}
 
   ///@{
-  /** Whether to choose the terms of the law by their effect, and the relative change of the force
-   * that may be left out, >= 0. Default off, and 0.01. */
+  /** AutomaticTerms: whether to choose the terms of the law by their effect. Default off.
+   * TermTolerance: relative change of the force by terms that may be left out, >= 0. Default
+   * 0.01. */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
   vtkBooleanMacro(AutomaticTerms, bool);
@@ -116,8 +117,8 @@ public:
   vtkGetMacro(TermTolerance, double);
   ///@}
 
-  /// Result of the last execution: the choice of AutomaticTerms; "" without it. The field array
-  /// `<name>Terms` stores it.
+  /// Result of the last execution: the choice of AutomaticTerms as text; "" if AutomaticTerms is
+  /// off. The field array `<name>Terms` stores the text.
   vtkGetMacro(TermReason, std::string);
 
 protected:

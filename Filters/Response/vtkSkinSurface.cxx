@@ -30,7 +30,7 @@ using Stage = palpate::FilterStage;
 
 constexpr double MaximumVoxels = 4e9; // largest number of voxels of the resampled scan: 16 GB
 
-/** The scalars as floats; NaN and infinities become the lowest value. */
+/** Returns the scan with its scalars as floats. NaN and infinities become the value `lowest`. */
 palpate::SkinScan TakeScan(vtkImageData* image, vtkDataArray* scalars, double lowest)
 {
   palpate::SkinScan scan;
@@ -105,7 +105,7 @@ int vtkSkinSurface::FillInputPortInformation(int, vtkInformation* info)
 int vtkSkinSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // The outer skin is a property of the whole scan.
+  // The outer skin can only be found from the whole scan.
   vtkInformation* info = input[0]->GetInformationObject(0);
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
@@ -123,7 +123,7 @@ int vtkSkinSurface::RequestData(
     output->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   if (image->GetNumberOfPoints() == 0 || piece > 0)
   {
-    return 1; // the first piece has the whole skin
+    return 1; // the first piece gets the whole skin
   }
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, input);
   const std::string problem = Problem(image, scalars, this->ClosingRadius, this->Resolution);

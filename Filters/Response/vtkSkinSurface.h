@@ -82,7 +82,7 @@ public:
   vtkGetMacro(ContourValue, double);
   ///@}
 
-  /** The grey level of the last run, given or chosen; of labels the middle of their range. */
+  /** The grey level of the last run, given or chosen. For labels: the middle of their range. */
   vtkGetMacro(UsedContourValue, double);
 
   ///@{

@@ -28,8 +28,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Young's modulus E, MPa, > 0, and Poisson's ratio, 0 to 0.5 (finite elements: to 0.499), where
-   * no array gives them. Default 0.1 and 0.45. */
+  /** Young's modulus E, MPa, > 0, default 0.1; and Poisson's ratio, 0 to 0.5 (for finite elements
+   * at most 0.499), default 0.45. Used where no array gives the value. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   vtkSetMacro(PoissonRatio, double);
@@ -74,8 +74,8 @@ public:
   ///@}
 
   ///@{
-  /** Validity ends where the estimated relative error of the force (palpate/ErrorRule.h) exceeds
-   * this. Default 0.05, 5 %. */
+  /** Relative error of the force up to which the response is valid. The error is estimated by
+   * palpate/ErrorRule.h. Default 0.05, 5 %. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}

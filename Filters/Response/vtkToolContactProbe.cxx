@@ -34,9 +34,9 @@ namespace
 /// Fraction of the progress for building the kernel's copy of the body.
 constexpr double BuildShare = 0.9;
 
-/// Checks that the response of each piece can be read and is of the same kind as those of the other
-/// pieces. Returns "" or an error message. Collective. Sets `isSlow` to whether the body does not
-/// relax, and `isCoupled` to whether contacts can interact.
+/// Checks that the response of each piece can be read, and that all pieces have the same kind of
+/// response. Returns "" or an error message. Collective. `isSlow` receives whether the body does
+/// not relax, `isCoupled` whether contacts can interact.
 std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name,
   bool& isSlow, bool& isCoupled)
 {

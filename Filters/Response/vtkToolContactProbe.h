@@ -148,7 +148,7 @@ public:
   ///@{
   /**
    * The settings of the contact, and their properties: see vtkContactSettings. Other objects may
-   * share the settings. Default, or if null is set: a separate object.
+   * share the settings. Null sets a separate object, which is also the default.
    */
   virtual void SetSettings(vtkContactSettings* settings)
   {
@@ -201,7 +201,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether tips that press at the same time interact, see above. Default off. */
+  /** Whether tips that press at the same time interact (see the description of the class). Default
+   * off. */
   vtkSetMacro(Coupled, bool);
   vtkGetMacro(Coupled, bool);
   vtkBooleanMacro(Coupled, bool);

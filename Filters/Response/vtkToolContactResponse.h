@@ -27,11 +27,11 @@
  * an error. With an ErrorTolerance of 0 validity ends where the first assumption fails, see below.
  *
  * **AutomaticTerms**: edges are left out if the body has none. Layers, CurvatureCorrection and
- * finite strain are left out if together they change the force by no more than TermTolerance.
- * Finite strain is kept if the error stated without it would exceed that; Neo-Hooke is then added
- * if its tables have the tool. The change is judged up to MaximumDeflection, at 95 % of about 400
- * points (palpate/TermEffect.h). TermReason lists the terms that are included and left out, with
- * per cents.
+ * finite strain are left out if together they change the force by at most TermTolerance. Finite
+ * strain is kept if without it the estimated error would exceed TermTolerance; Neo-Hooke is then
+ * added if its tables contain the tool. The change is computed up to MaximumDeflection, at 95 % of
+ * about 400 points (palpate/TermEffect.h). TermReason lists the terms that are included and left
+ * out, with per cents.
  *
  * **Error** (point data, float n) is the estimated relative error of the force at each sample, by
  * strain, curvature, thickness, edge, storage and the elements of a compliance
@@ -45,20 +45,26 @@
  * the contact radius. Thickness: δ exceeds 20 % of a layer's thickness. Edge: the contact circle is
  * wider than the middle one of the three lengths of the body's box.
  *
- * **Arrays to process**, point data, one component, each optional: 0 Young's modulus (MPa), 1 layer
- * thickness (mm, 0 for a half-space), 2 global compliance (mm/N), 3 Poisson's ratio, 4 thickness
- * (mm) of the second layer of a stack (by convention `LayerThickness0` and `LayerThickness1`; an
- * array counts by its index, not by its name), 5 strengths of the relaxations, one component each
- * (AddRelaxation), which replace the constants, 6 a mask, nonzero at the points that get a response
- * (by convention `Pressed`); their curves are, bit for bit, those of a response for all points. For
- * a global compliance the array of its name followed by `Error`, if present, is its error in mm/N.
- * An index without a name, or with an empty one, means the constant property. A named array that
- * does not exist is an error. So is a value out of range; the error names array, index and value.
+ * **Arrays to process** are point data with one component. Each is optional:
+ * - 0 Young's modulus (MPa), 1 layer thickness (mm, 0 for a half-space), 2 global compliance
+ *   (mm/N), 3 Poisson's ratio;
+ * - 4 thickness (mm) of the second layer of a stack. By convention the arrays 1 and 4 are then
+ *   called `LayerThickness0` and `LayerThickness1`; only the index matters, not the name;
+ * - 5 strengths of the relaxations (AddRelaxation), with one component per relaxation. They replace
+ *   the constants;
+ * - 6 a mask, nonzero at the points that get a response (by convention `Pressed`). Their curves are
+ *   bitwise equal to those of a response for all points.
  *
- * The law is the tool's on an elastic half-space (vtkContactTool) or, exactly, on a layer of
+ * The array with the name of the global compliance followed by `Error`, if present, is the error of
+ * the compliance in mm/N. If an index has no name, or an empty name, the constant property is used.
+ * A named array that does not exist is an error. A value out of range is an error that names array,
+ * index and value.
+ *
+ * The law is that of the tool on an elastic half-space (vtkContactTool) or, exactly, on a layer of
  * constant thickness on a rigid base (Lebedev and Ufliand 1958). A global compliance is in series
- * with this law: δ = δ_local(F) + C F. The exponent m is the tip's, or 1 if that stores the curve
- * better. Normals are computed, angle-weighted; normals stored in the input are not used.
+ * with this law: δ = δ_local(F) + C F. The exponent m is that of the tip, or 1 if the curve is then
+ * stored more accurately. Normals are computed, angle-weighted; normals stored in the input are not
+ * used.
  *
  * **Unsound meshes** are repaired first (palpate/SoundMesh.h). A second body inside another one and
  * a sheet with two sides are errors.
@@ -68,9 +74,10 @@
  * add 0.7 µs, a StrainModel 3 µs and its solver once; on layers about 10 µs together. Threaded by
  * vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
- * **Precision**: curves are stored in floats, to 6e-8. Coordinates stored as double keep 1e-10 mm a
- * kilometre (1e6 mm) from the origin. Those stored as float are on a grid of 0.06 mm there, and
- * forces at 1 mm deviate by up to 8 %. Pictures are drawn in floats about the origin.
+ * **Precision**: curves are stored in floats, to 6e-8. At a kilometre (1e6 mm) from the origin,
+ * coordinates stored as double are exact to 1e-10 mm. Coordinates stored as float are on a grid of
+ * 0.06 mm there, so forces at 1 mm deviate by up to 8 %. Pictures are drawn in floats about the
+ * origin.
  *
  * **Several processes**: each may have a piece of the body, or none (Controller). The response is
  * that of the whole body, also at a seam, where border points of several pieces coincide. An error
@@ -135,12 +142,12 @@ public:
   ///@}
 
   ///@{
-  /** Whether the law is in series with the compliance of the whole body, which vtkBodyCompliance
-   * finds from its closed surface, within a few seconds for the first response. The output then has
-   * the arrays of the compliance, and `Model` names the side that holds the body. The compliance is
-   * left out with layers, a given compliance, a material that varies, Coupling, ν above 0.499, an
-   * open surface, or a mesh whose triangles are too large, and, with a warning, if it cannot be
-   * found. Default off; on in ParaView. */
+  /** Whether the law is in series with the compliance of the whole body. vtkBodyCompliance finds
+   * the compliance from the closed surface of the body, within a few seconds for the first
+   * response. The output then has the arrays of the compliance, and `Model` names the side that
+   * holds the body. The compliance is left out with layers, a given compliance, a material that
+   * varies, Coupling, ν above 0.499, an open surface, or a mesh whose triangles are too large. It
+   * is also left out, with a warning, if it cannot be found. Default off; on in ParaView. */
   vtkSetMacro(WholeBody, bool);
   vtkGetMacro(WholeBody, bool);
   vtkBooleanMacro(WholeBody, bool);
@@ -177,12 +184,12 @@ public:
    * Whether several tools that press at once interact (vtkToolContactProbe::Coupled,
    * palpate/CoupledContacts.h). The law C(r), the deflection per force at the distance r from the
    * force, is stored in the field array `<name>Coupling` (double 3), for the half-space or the
-   * layers. If modulus or thickness vary, also point arrays `<name>CouplingModulus` (float, MPa)
-   * and `<name>CouplingThickness` (float, mm). If the body has a point array `CouplingModes`
-   * (vtkElasticCompliance) and a global compliance, also `<name>CouplingModes` (float, √(mm/N)),
-   * scaled down where the modes would exceed the response. Layers must cover the whole body or be
-   * absent; the thickness of a second layer must be constant. Poisson's ratio is the mean of its
-   * smallest and largest value. Default off.
+   * layers. If modulus or thickness vary, the output also has the point arrays
+   * `<name>CouplingModulus` (float, MPa) and `<name>CouplingThickness` (float, mm). If the body has
+   * a point array `CouplingModes` (vtkElasticCompliance) and a global compliance, the output also
+   * has `<name>CouplingModes` (float, √(mm/N)). These modes are scaled down where they would exceed
+   * the response. Layers must cover the whole body or be absent; the thickness of a second layer
+   * must be constant. Poisson's ratio is the mean of its smallest and largest value. Default off.
    */
   vtkSetMacro(Coupling, bool);
   vtkGetMacro(Coupling, bool);
@@ -190,9 +197,10 @@ public:
   ///@}
 
   ///@{
-  /** Whether the global compliance is of the same material and relaxes with it. Default on; off:
-   * the compliance is elastic, a spring below a body that relaxes. It is then stored as point array
-   * `<name>ElasticCompliance` (float, mm/N) and must be >= 0. No effect without relaxation. */
+  /** Whether the global compliance is of the same material as the body and relaxes with it. Default
+   * on. Off: the compliance is elastic, a spring below a body that relaxes. It is then stored as
+   * point array `<name>ElasticCompliance` (float, mm/N) and must be >= 0. No effect without
+   * relaxation. */
   vtkSetMacro(ComplianceRelaxes, bool);
   vtkGetMacro(ComplianceRelaxes, bool);
   vtkBooleanMacro(ComplianceRelaxes, bool);

@@ -31,8 +31,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool. Its changes count in this filter's modification time. Required by filters that make
-   * a response; for the others the default is the tool that the response names. */
+  /** The tool. A change of the tool changes the modification time of this filter. Filters that make
+   * a response require a tool. The default of other filters is the tool that the response names. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}

@@ -179,7 +179,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   }
   this->Body = nullptr;
   auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(body); // the modification time of the copy does not change while the tip moves
+  copy->ShallowCopy(body); // while the tip moves, the modification time of the copy does not change
   std::string fault;
   if (!this->Touched->take(copy, this->ResponseName, fault))
   {

@@ -84,7 +84,7 @@ public:
   vtkTypeMacro(vtkToolTouch, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The outputs.
+  /// Indices of the output ports.
   enum OutputPort
   {
     BodyPort = 0,
@@ -150,7 +150,7 @@ public:
   ///@{
   /**
    * The settings of the contact. Other objects may share them. Friction does not act, since a
-   * single tip has no history. Default, or if null is set: a separate object.
+   * single tip has no history. Null sets a separate object, which is also the default.
    */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
@@ -221,7 +221,7 @@ private:
   bool MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   bool MakeTools(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   void MakeArrows(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
-  /// Reports a fault, unless it is "".
+  /// Reports the fault as an error, unless it is "".
   bool Fail(const std::string& fault);
 
   vtkSmartPointer<vtkContactSettings> Settings; ///< never null

@@ -26,7 +26,7 @@ namespace
 {
 constexpr double ToolShare = 0.25;
 constexpr double ArrowThickness = 0.012;
-// Radius at which a profile that widens without end is cut, as a fraction of the tool's length.
+// Radius at which a tool that widens without end is cut, as a fraction of its drawn length.
 constexpr double WidestTool = 0.25;
 
 /// Adds an array with one number, or vector, per touch.

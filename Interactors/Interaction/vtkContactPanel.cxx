@@ -23,7 +23,7 @@ namespace
 using palpate::PanelButton;
 using palpate::PanelSlider;
 
-constexpr float Priority = 1.0F; // priority among the observers of a frame: the panel is first
+constexpr float Priority = 1.0F; // the panel is called first among the observers of a frame
 } // namespace
 
 struct vtkContactPanel::Parts
@@ -212,7 +212,8 @@ void vtkContactPanel::Update()
   {
     return;
   }
-  // While a slider is held, the force scales do not change, so that the effect is visible.
+  // While a slider is held, the force scales stay fixed, so that the change of the force is
+  // visible.
   const bool isNew = kept.controls->update();
   if (isNew &&
     std::none_of(kept.sliders.begin(), kept.sliders.end(),

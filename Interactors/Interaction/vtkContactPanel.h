@@ -3,10 +3,11 @@
  * @class vtkContactPanel
  * @brief sliders and buttons for tool, material, contact and display during contact
  *
- * Fills its own renderer, a strip of the window, with: the tools and the size of the chosen one,
- * Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration of the dent,
- * the comparison of tools, charts, the session, record and picture. (A live version of Mahvash and
- * Hayward 2002, figure 9.) Made of vtkSliderWidget and vtkButtonWidget.
+ * Fills its own renderer, a strip of the window, with controls for: the tools and the size of the
+ * chosen one, Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration
+ * of the dent, the comparison of tools, charts, the session, record and picture. (It is a live
+ * version of Mahvash and Hayward 2002, figure 9.) The controls are vtkSliderWidgets and
+ * vtkButtonWidgets.
  *
  * Set a renderer of a window with an interactor; a setup; the style that has session, scene and
  * files; the clock; and the charts, if there are any. Then call On. At each frame of the clock, the
@@ -59,31 +60,32 @@ public:
   };
 
   /**
-   * The renderer of the strip. The panel sets its background; its camera is not controlled. The
-   * strip should be about 256 pixels wide and 700 high; the panel shrinks in a smaller one.
+   * The renderer of the strip. The panel sets its background, but not its camera. The strip should
+   * be about 256 pixels wide and 700 pixels high. In a smaller strip the panel is drawn smaller.
    */
   void SetRenderer(vtkRenderer* renderer);
-  /** The setup. Its output must exist: call Update of the setup before On. */
+  /** The setup. Call Update of the setup before On, because the panel needs its output. */
   void SetSetup(vtkContactSetup* setup);
-  /** The style, with session, scene and interactor. For Record and Picture it also needs files. */
+  /** The style, which must have session, scene and interactor. The buttons Record and Picture also
+   * need its files. */
   void SetStyle(vtkInteractorStyleHaptic* style);
-  /** The clock whose frames the panel follows. Without a clock, call Update. */
+  /** The clock. The panel is updated at each of its frames. Without a clock, call Update. */
   void SetClock(vtkFrameClock* clock);
-  /** Optional: the charts, for Compare, Charts and Timing. */
+  /** Optional: the charts. The controls Compare, Charts and Timing need them. */
   void SetCharts(vtkLiveCharts* charts);
 
   ///@{
-  /** Shows or hides the panel, and starts or stops listening to the mouse. */
+  /** Shows or hides the panel. The panel receives mouse events only while it is shown. */
   void On();
   void Off();
   ///@}
 
-  /** Does the work of one frame, see above. */
+  /** Does the work of one frame (see the description of the class). */
   void Update();
 
   /**
-   * Chooses a tool of the setup, by its index from 0, in session, scene and charts. No effect if
-   * there is no such tool.
+   * Chooses the tool with index `tool` (from 0) of the setup, in session, scene and charts. No
+   * effect if there is no such tool.
    */
   void ChooseTool(int tool);
 
@@ -94,7 +96,7 @@ public:
   bool GetCompare();
   ///@}
   ///@{
-  /** Whether there are charts. Default on. Key g. */
+  /** Whether the charts are shown. Default on. Key g. */
   void SetChartsVisibility(bool visible);
   bool GetChartsVisibility();
   ///@}
@@ -108,7 +110,7 @@ public:
   bool FindButton(const std::string& label, int position[2]);
   bool FindSlider(const std::string& name, double value, int position[2]);
   ///@}
-  /** The last line of the panel: the work in progress, or the error. */
+  /** Returns the last line of the panel: the work in progress, or the error. */
   std::string GetStatus();
 
 protected:

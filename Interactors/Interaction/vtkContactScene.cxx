@@ -33,7 +33,7 @@
 
 namespace
 {
-constexpr double ArrowLength = 40.0; // mm, for the largest force
+constexpr double ArrowLength = 40.0; // mm, length of the arrow of the largest force
 } // namespace
 
 vtkStandardNewMacro(vtkContactScene);
@@ -273,7 +273,7 @@ void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
   this->Caption->describeNothing();
   this->Hands->hideCircles();
   palpate::ShownContact unseen = contact;
-  unseen.cell = -1; // no dent
+  unseen.cell = -1; // no cell: the dent is not drawn
   this->Body->show(unseen);
 }
 
@@ -303,7 +303,7 @@ void vtkContactScene::Arrange()
     this->Scale->place(this->Renderer, Eigen::Vector3d(this->Contact));
   }
   this->Caption->write(this->Renderer->GetSize()[0] - this->Scale->width());
-  // The legends are above caption and scale.
+  // The legends are placed above the caption and the scale.
   this->Legends->place(this->Renderer, this->Caption->height());
 }
 
@@ -314,7 +314,7 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   vtkBoundingBox all(bounds);
   if (!this->Blind)
   {
-    this->Hands->addBounds(all); // includes the arrows, so that none is cut off
+    this->Hands->addBounds(all); // includes the arrows, so that all of them are in the picture
   }
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },

@@ -16,9 +16,9 @@
  *   With a global compliance, a is the radius for the local part of the deflection.
  * - The trail is the path of the contact, coloured by the force there, with a legend in N.
  * - An arrow of a round number of newtons in the lower right corner is the scale of all arrows.
- * - ShowSession fits this scale and the colours of the trail to the force: they grow at once if the
- *   force exceeds them, and shrink if for 3 s of contact all forces along the trail have been below
- *   a third of them. For 3 s after a change the picture says "scale changed".
+ * - ShowSession adapts this scale and the colours of the trail to the force. They grow at once if
+ *   the force exceeds them. They shrink if for 3 s of contact all forces along the trail have been
+ *   below a third of their end. For 3 s after a change the picture says "scale changed".
  * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
  *   different applied force, and the limit of validity.
  *
@@ -94,7 +94,7 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
-  /** Range of the legend of the deflection field: 0 to `largest` mm. Default 1. */
+  /** Range of the legend of the deflection field: 0 to `largest`, mm. Default 1. */
   void SetLargestDeflection(double largest);
   /**
    * Makes the arrow of a force of `largest` N about 40 mm long, and extends the colours of the
@@ -104,13 +104,14 @@ public:
   void SetLargestForce(double largest);
   vtkGetMacro(LargestForce, double);
   ///@{
-  /** Factor by which the drawn dent is deeper; the caption shows it. Default 1. */
+  /** Factor by which the dent is drawn deeper than it is. The caption shows the factor. Default
+   * 1. */
   void SetExaggeration(double factor);
   double GetExaggeration();
   ///@}
   ///@{
-  /** On (default): the vertex shader displaces the body, at a cost that does not grow with the
-   * mesh. Off: vtkContactDeflection displaces it, point by point. */
+  /** On (default): the vertex shader displaces the body. The cost does not depend on the size of
+   * the mesh. Off: vtkContactDeflection displaces the body point by point. */
   void SetDeflectionByShader(bool on);
   bool GetDeflectionByShader();
   ///@}
@@ -131,9 +132,9 @@ public:
   ///@}
 
   /**
-   * For a blind comparison: only the position of a contact is shown, by a ball on the surface,
-   * independent of the depth of the tip. Tool, forces, dent, circle, trail and legends are not
-   * drawn. The caption has only title and remark. Default off.
+   * Whether the scene is for a blind comparison. It then shows only the position of a contact, by a
+   * ball on the surface, independent of the depth of the tip. Tool, forces, dent, circle, trail and
+   * legends are not drawn. The caption has only title and remark. Default off.
    */
   void SetBlind(bool blind);
 
@@ -141,10 +142,10 @@ public:
   bool ShowTrail(vtkPolyData* probed);
   ///@{
   /**
-   * The live trail: the number of the last contacts of ShowSession, at least 0.05 mm apart; 0 for
-   * none. Default 600: 20 s of motion at 30 pictures per second. It replaces a trail of ShowTrail.
-   * If the session's recorder has a history (HistorySeconds), the trail also passes through the
-   * contacts between two pictures, 1 mm apart.
+   * Length of the live trail: number of the last contacts of ShowSession, at least 0.05 mm apart;
+   * 0: no trail. Default 600: 20 s of motion at 30 pictures per second. The live trail replaces a
+   * trail of ShowTrail. If the session's recorder has a history (HistorySeconds), the trail also
+   * passes through contacts between two pictures, 1 mm apart.
    */
   vtkSetClampMacro(TrailLength, int, 0, VTK_INT_MAX);
   vtkGetMacro(TrailLength, int);
@@ -152,28 +153,30 @@ public:
   ///@}
 
   /** Shows tip `index` of a probe's output. Returns false if arrays of the probe are missing.
-   * Without the array FrictionForce there is no friction; without AppliedForce there is no applied
-   * force. */
+   * Without the array FrictionForce no friction is drawn; without AppliedForce no applied force is
+   * drawn. */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
-  /** Shows the newest tick of a session, and adds it to the trail. Shows the friction, the applied
-   * force with the reasons for it, and the validity of the session's response at the contact. */
+  /** Shows the newest tick of a session, with friction, applied force, the reasons for the applied
+   * force, and the validity of the session's response at the contact. Adds the contact to the
+   * trail. */
   void ShowSession(vtkHapticSession* session);
-  /** Calls ShowSession at each frame of the clock, after observers without priority. A null clock
-   * ends this. Call it before the session's Start, since it requests a history of at least 2 s. */
+  /** Calls ShowSession at each frame of the clock, after the observers of default priority. Call it
+   * with a null clock to stop. Call it before the session's Start, because it requests a history
+   * of at least 2 s. */
   void Follow(vtkFrameClock* clock, vtkHapticSession* session);
   ///@{
   /**
-   * Direction of the tool without contact, of any length; zero (default): the last direction. Each
-   * device has its own direction, which is set by the index of the device.
+   * Direction of the tool while it has no contact, of any length. Zero (default): the last
+   * direction is kept. Each device has its own direction; `hand` is the index of the device.
    */
   void SetFreeDirection(const double direction[3]) { this->SetFreeDirection(0, direction); }
   void SetFreeDirection(int hand, const double direction[3]);
   ///@}
 
   /**
-   * Shows a contact given by numbers: tip, contact point, unit normal and force on the tool,
-   * deflection, and the cell of the body (-1: no contact).
+   * Shows a contact that is given by numbers: position of the tip, contact point, unit normal,
+   * force on the tool, deflection, and the cell of the body (-1: no contact).
    */
   void ShowContact(const double tip[3], const double contactPoint[3], const double normal[3],
     const double force[3], double deflection, vtkIdType cell);
@@ -189,21 +192,22 @@ public:
   ///@}
 
   /**
-   * Distance from the contact at which the deflection field ends, mm; 0 (default): where its
-   * validity ends.
+   * Distance from the contact at which the deflection field ends, mm. 0 (default): the field ends
+   * where its validity ends.
    */
   void SetFieldRadius(double radius);
 
   ///@{
-  /** Sets the camera. LookAtBody shows the whole body with the tool, seen from `direction`.
-   * LookAtContact shows, from `distance` mm, the point of the last tick in contact; before the
-   * first such tick, the contact point that was shown last. `up` points up in the picture. */
+  /** Set the camera. LookAtBody shows the whole body with the tool, seen from `direction`.
+   * LookAtContact shows the contact point of the last tick in contact, from the distance
+   * `distance` (mm). Before the first such tick it shows the contact point that was drawn last.
+   * `up` is upward in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
   ///@}
 
   ///@{
-  /** The parts of the scene, to change their style. */
+  /** Parts of the scene. Use them to change their style. */
   vtkHapticToolRepresentation* GetToolRepresentation();
   vtkActor* GetBodyActor();
   vtkActor* GetTrailActor();
@@ -241,7 +245,7 @@ private:
   std::unique_ptr<palpate::ForceTrail> Trail;
   std::unique_ptr<palpate::ForceScale> Scale;
   std::unique_ptr<palpate::SceneCaption> Caption;
-  vtkSmartPointer<vtkActor> Marker; ///< marker of a contact, in a blind comparison
+  vtkSmartPointer<vtkActor> Marker; ///< drawn instead of the tool in a blind comparison
   bool Blind = false;
   bool ContactCircleVisibility = true;
   bool TrailVisibility = true;
@@ -249,14 +253,14 @@ private:
   double LargestForce = 1.0;
   std::unique_ptr<palpate::ScaleRule> ForceRule;
   bool HasShownSession = false;
-  bool IsScaleNew = false;          ///< whether the next picture of a session shows a changed scale
-  double ScaleTime = -1e30;         ///< time of the session when the scale changed, s
-  vtkIdType TrailRun = -1;          ///< the run of the session whose ticks the trail has passed
-  unsigned long long TrailSeen = 0; ///< number of these ticks
+  bool IsScaleNew = false;          ///< whether the scale has changed since the last picture
+  double ScaleTime = -1e30;         ///< session time of the last change of scale, s
+  vtkIdType TrailRun = -1;          ///< number of the session's run to which TrailSeen refers
+  unsigned long long TrailSeen = 0; ///< number of ticks that the trail has processed
   std::unique_ptr<palpate::ShownContact> Shown; ///< the contact shown last
   bool HasTouched = false;
   double ContactRadius = 0.0;
-  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< the point for LookAtContact
+  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< point at which LookAtContact looks
 };
 
 #endif

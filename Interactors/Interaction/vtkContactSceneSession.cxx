@@ -21,10 +21,11 @@
 
 namespace
 {
-// priority among the observers of a frame: the scene is last
+// Priority among the observers of a frame. The scene is called last.
 constexpr float LastPriority = -1.0F;
 constexpr double PassedSeconds = 2.0; // longest time between two pictures that the trail bridges, s
-constexpr double RemarkSeconds = 3.0; // how long a picture says that its scale has changed, s
+/// Time for which the picture says that its scale has changed, s.
+constexpr double RemarkSeconds = 3.0;
 } // namespace
 
 void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)
@@ -77,7 +78,7 @@ void vtkContactScene::ShowSession(vtkHapticSession* session)
   this->Show(contacts);
 }
 
-/// Adds the contacts since the last picture, up to a time (s), to the trail.
+/// Adds to the trail the contacts since the last picture, up to the time `until` (s).
 void vtkContactScene::PassTicks(vtkHapticSession* session, double until)
 {
   const palpate::TickHistory& ticks = session->GetRecorder()->GetLastTicks();
@@ -107,7 +108,7 @@ void vtkContactScene::PassTicks(vtkHapticSession* session, double until)
   this->TrailSeen = number;
 }
 
-/// Fits the scale of the forces to the contact of a session.
+/// Adapts the scale of the arrows and the colours of the trail to the force of a contact.
 void vtkContactScene::FitForceScale(const palpate::ShownContact& contact)
 {
   const double time = contact.tick.time;

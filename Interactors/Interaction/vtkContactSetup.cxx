@@ -149,7 +149,8 @@ double vtkContactSetup::GetLargestForce()
 
 void vtkContactSetup::SetSettings(vtkContactSettings* settings)
 {
-  this->Settings = settings; // no call of Modified: responses do not depend on the settings
+  // Modified() is not called, because responses do not depend on the settings.
+  this->Settings = settings;
 }
 
 vtkContactSettings* vtkContactSetup::GetSettings()
@@ -164,7 +165,8 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     vtkErrorMacro(<< "A session and responses are required: call Update.");
     return false;
   }
-  // A session that is stopped would make the kernels again when it starts.
+  // SetBody is called again for a stopped session. Otherwise the session would make the kernels at
+  // its start.
   if (session->GetBody() != this->Kept->output || session->GetState() == vtkHapticSession::Stopped)
   {
     session->SetBody(this->Kept->output, this->Kept->made.kernels);

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactSetup
- * @brief body, tools, material and model of a contact, and the responses made from them
+ * @brief body, tools, material and model of a contact, and the responses for them
  *
  * Set tools, a body without responses, and the material of the body. Update makes the responses of
  * all tools, each under its own prefix: `Response` for the first, then `Response2`, `Response3`...
  * GetOutput is the body with the responses. GetTool and GetResponseName give the tool and the
  * prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them to a scene.
  *
- * Making responses takes a second for a few hundred thousand points, and a live session must not
- * wait for that. Request makes the responses, and the kernels for the session, on another thread.
- * Only the newest of several requests is carried out. Collect, called once a frame, takes over the
- * finished responses. Until then, and after an error, output, session and scene do not change.
+ * Making responses takes about a second for a few hundred thousand points. A live session must not
+ * wait for that. So Request makes the responses, and the kernels for the session, on another
+ * thread. Of several requests only the newest is processed. Collect, called once per frame, takes
+ * over the finished responses. Until then, and after an error, output, session and scene do not
+ * change.
  *
- * Another Young's modulus scales the responses instead, within 50 ms, unless other moduli of the
- * body stay. Another Poisson's ratio of a HalfSpace scales the forces as fast; then errors and
- * validities are computed in the background, IsBusy is true, and a second Collect takes them over.
+ * A change of Young's modulus scales the responses within 50 ms, unless other moduli of the body
+ * stay the same. A change of Poisson's ratio of a HalfSpace scales the forces as fast. Errors and
+ * validities are then computed in the background: IsBusy is true, and a second Collect takes them
+ * over.
  *
- * Lengths in mm, moduli in MPa. The body is not modified. Its points and cells must not be changed
- * in place after SetBody (after changes, call SetBody again). Only one thread, the graphics thread,
- * may use it; only Update blocks that thread.
+ * Lengths in mm, moduli in MPa. The body is not modified. Do not change its points and cells in
+ * place after SetBody; call SetBody again after a change. Only one thread, the graphics thread, may
+ * use this object. Only Update blocks that thread.
  *
  * @code{.py}
  * setup = palpate.vtkContactSetup()
@@ -64,10 +66,11 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    Layer = 1,  ///< a layer whose thickness is the property LayerThickness, or the array of this
-                ///< name (mm); below it are the layers of AddLayer, if any, and LayerBase
-    Series = 2, ///< the local deflection in series with the array GlobalCompliance (mm/N)
-    Stored = 3  ///< the body has its responses already: they are used unchanged
+    /// A layer: its thickness (mm) is the property LayerThickness or the array of that name; below
+    /// it are the layers of AddLayer, if any, and LayerBase.
+    Layer = 1,
+    Series = 2, ///< local deflection in series with the array GlobalCompliance (mm/N)
+    Stored = 3  ///< the responses that the body already has are used unchanged
   };
 
   ///@{
@@ -80,19 +83,18 @@ public:
 
   ///@{
   /** The tools. A change of a tool counts as a change of the setup. With Stored, the tools are only
-   * drawn. */
+   * drawn, since the responses are given. */
   void AddTool(vtkContactTool* tool);
   void RemoveAllTools();
   int GetNumberOfTools();
-  /** The tool of this index; null if there is none. */
+  /** Returns the tool with this index; null if there is none. */
   vtkContactTool* GetTool(int tool);
   /** Prefix of the response arrays of a tool. */
   std::string GetResponseName(int tool);
   ///@}
 
   ///@{
-  /** The chosen tool, by its index from 0. GetTool of that index returns the tool itself, or null.
-   * Choosing another tool needs no new responses. Default 0. */
+  /** Index of the chosen tool, from 0. Choosing another tool needs no new responses. Default 0. */
   void SetChosenTool(int tool);
   vtkGetMacro(ChosenTool, int);
   vtkContactTool* GetToolInHand() { return this->GetTool(this->ChosenTool); }
@@ -105,7 +107,7 @@ public:
   ///@}
   ///@{
   /**
-   * Poisson's ratio, 0 to 0.5. Default 0.45. With Series the compliance does not change with it.
+   * Poisson's ratio, 0 to 0.5. Default 0.45. The compliance of Series does not change with it.
    */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
@@ -117,33 +119,35 @@ public:
   ///@}
 
   ///@{
-  /** The model of the body below the surface, see above. Default HalfSpace. */
+  /** The model of the body below the surface (ModelType). Default HalfSpace. */
   vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   ///@}
-  /** Whether the body and the properties have the data that a model needs. Stored and the other
-   * models exclude each other. */
+  /** Whether the body and the properties have the data that `model` needs. If Model is Stored, the
+   * result is false for all other models. */
   bool HasModel(int model);
   ///@{
   /**
-   * Thickness of the layer, mm, the same everywhere. Default 0: the array LayerThickness gives it.
+   * Thickness of the layer, mm, the same at all points. Default 0: the array LayerThickness gives
+   * it.
    */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
   ///@{
-  /** Layers below the first one, for the model Layer, as in vtkToolContactResponse. Thickness 0 is
-   * only possible for the first of them: the point array LayerThickness1 gives its thickness. With
-   * added layers, LayerThickness 0 means the array LayerThickness0. Default none. */
+  /** Layers below the first layer, for the model Layer, as in vtkToolContactResponse. Only the
+   * first of these layers may have the thickness 0; its thickness is then given by the point array
+   * LayerThickness1. With added layers, LayerThickness 0 means the array LayerThickness0. Default
+   * none. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();
   ///@}
   ///@{
   /** The base of the layers, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
-   * (default), 1 slipping on a rigid base, 2 on an elastic half-space. The half-space has this
-   * Young's modulus (MPa, default 1) and Poisson's ratio (default 0.45); the layers may slip on it.
-   * */
+   * (default), 1 slipping on a rigid base, 2 an elastic half-space with BaseYoungsModulus (MPa,
+   * default 1) and BasePoissonRatio (default 0.45). BaseSlips: whether the layers slip on the
+   * half-space. */
   vtkSetClampMacro(LayerBase, int, 0, 2);
   vtkGetMacro(LayerBase, int);
   vtkSetMacro(BaseYoungsModulus, double);
@@ -156,26 +160,26 @@ public:
   ///@}
   ///@{
   /** Young's modulus (MPa) for which GlobalCompliance and the global modes of the body were
-   * computed. For another modulus they are scaled. Default 0: they are used unchanged for any
-   * modulus. */
+   * computed. They are scaled to the present modulus. Default 0: they are not scaled. */
   vtkSetMacro(ComplianceModulus, double);
   vtkGetMacro(ComplianceModulus, double);
   ///@}
 
   ///@{
-  /** Whether the body's sag under the tool is included; see vtkToolContactResponse. Default on. */
+  /** Whether the curvature of the body is included; see vtkToolContactResponse. Default on. */
   vtkSetMacro(CurvatureCorrection, bool);
   vtkGetMacro(CurvatureCorrection, bool);
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
   ///@{
-  /** Whether sharp edges change the force; see vtkToolContactResponse. Default on. */
+  /** Whether the effect of sharp edges is included; see vtkToolContactResponse. Default on. */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
-  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: upright. */
+  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: tools are
+   * upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
   ///@}
@@ -187,15 +191,16 @@ public:
   vtkBooleanMacro(Coupling, bool);
   ///@}
   ///@{
-  /** Relaxation of the body: up to four branches of strength and time (s), and whether the global
-   * compliance of Series relaxes, too; see vtkToolContactResponse. A branch of strength 0 has no
-   * effect. Default: no branches, and on. */
+  /** Relaxation of the body: up to four branches of strength and time (s); see
+   * vtkToolContactResponse. A branch of strength 0 has no effect. Default: no branches.
+   * ComplianceRelaxes: whether the global compliance of Series relaxes, too. Default on. */
   void AddRelaxation(double strength, double seconds)
   {
     this->Relaxations.add(strength, seconds);
     this->Modified();
   }
-  /** Sets strength and time of a branch, from 0. The index after the last adds a branch. */
+  /** Sets strength and time of the branch with index `relaxation`, from 0. An index equal to the
+   * number of branches adds a branch. */
   void SetRelaxation(int relaxation, double strength, double seconds)
   {
     if (this->Relaxations.set(relaxation, strength, seconds))
@@ -229,63 +234,67 @@ public:
   vtkGetMacro(StrainExponent, double);
   ///@}
   ///@{
-  /** The estimated relative error up to which the responses are valid. 0: they are valid until the
-   * first assumption fails, without an estimate of the error. Default 0.05. */
+  /** The estimated relative error of the force up to which the responses are valid. 0: the error is
+   * not estimated, and the responses are valid until the first assumption fails. Default 0.05. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
   ///@{
-  /** Whether the law has only the terms that the forces need, within Tolerance (0: 1 %); see
-   * vtkToolContactResponse. Default off. */
+  /** Whether the law includes only those terms that change the forces by more than Tolerance (if
+   * that is 0: by more than 1 %); see vtkToolContactResponse. Default off. */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
   vtkBooleanMacro(AutomaticTerms, bool);
   ///@}
 
   ///@{
-  /** Largest relative error of the force for which a session gets a simpler form of a response than
-   * a curve per point; vtkResponseChoice defines this error. Default 0: responses are used
-   * unchanged. The output always has the full responses. */
+  /** Largest relative error of the force of a simpler form of the response. A session uses the
+   * simplest form within this error instead of a curve per point (vtkResponseChoice). Default 0:
+   * sessions use the responses unchanged. The output always has the full responses. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
   ///@{
-  /** Deflection for which the form is chosen, mm, if there is a Tolerance. Default 0: half of
+  /** Deflection for which the form is chosen, mm. Used if Tolerance is not 0. Default 0: half of
    * MaximumDeflection. */
   vtkSetMacro(ChoiceDeflection, double);
   vtkGetMacro(ChoiceDeflection, double);
   ///@}
 
-  /** Makes the responses now, on the calling thread and with its priority; ProgressEvent reports
-   * the fraction that is done (double). Returns false after an error; the output is then unchanged.
+  /**
+   * Makes the responses on the calling thread and with its priority. ProgressEvent reports the
+   * completed fraction (double). Returns false after an error; the output is then unchanged.
    */
   bool Update();
-  /** Makes the responses in the background, with a lower priority, unless they exist, or are being
-   * made, for the present settings. */
+  /** Makes the responses in the background, with a lower priority. Does nothing if responses for
+   * the present settings exist or are being made. */
   void Request();
-  /** Whether the requested responses are not ready yet. */
+  /** Whether requested responses are still being made. */
   bool IsBusy();
-  /** Fraction of the requested work that is done, 0 to 1; 1 if nothing is requested. */
+  /** Completed fraction of the requested work, 0 to 1; 1 if no request is pending. */
   double GetProgress();
   /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
-   * the tools return to those of the output. No effect if nothing is requested. */
+   * the tools return to the values for which the output was made. No effect if no request is
+   * pending. */
   void Cancel();
-  /** Takes over the requested responses if they are ready. Returns true once, and a second time
-   * after another Poisson's ratio of a HalfSpace. Returns false, after an error, if they could not
-   * be made. Never waits. */
+  /** Takes over the requested responses if they are ready. Never waits. Returns true if responses
+   * were taken over: once per request, but twice after a change of Poisson's ratio of a HalfSpace.
+   * Returns false, after an error, if the responses could not be made. */
   bool Collect();
   /** The error of the newest request; "" after a success. */
   vtkGetMacro(Error, std::string);
 
   /**
-   * The body with the responses; null before the first Update or Collect. A new object each time.
+   * The body with the responses; null before the first Update or Collect. Each Update or Collect
+   * makes a new object.
    */
   vtkPolyData* GetOutput();
-  /** The tool for which a response was made; null before the first Update or Collect. */
+  /** The tool for which the response with this index was made; null before the first Update or
+   * Collect. */
   vtkContactTool* GetOutputTool(int tool);
 
-  /** A sentence with the form of a tool's response in use, and the reason for it; "" without a
-   * Tolerance, and before the first Update or Collect. */
+  /** A sentence that gives the form of a tool's response that sessions use, and the reason; "" if
+   * Tolerance is 0, and before the first Update or Collect. */
   std::string GetChoice(int tool);
 
   /** Largest force of any tool of the output at any point, at MaximumDeflection, N; 0 before the
@@ -293,17 +302,17 @@ public:
   double GetLargestForce();
 
   ///@{
-  /** The contact settings of every session that is passed to ApplyTo. ApplyTo sets their Poisson's
-   * ratio to that of the responses. Default null: each session keeps its own settings. */
+  /** Contact settings for each session that is passed to ApplyTo. ApplyTo sets the Poisson's ratio
+   * of the settings to that of the responses. Default null: each session keeps its own settings. */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
 
-  /** Passes the output, the response of the chosen tool, Poisson's ratio, and the settings if there
-   * are any, to a session. If the session runs, applies the changes. Returns false after an error.
-   * */
+  /** Passes the output, the response of the chosen tool, Poisson's ratio, and the settings if
+   * there are any, to a session. Applies the changes if the session runs. Returns false after
+   * an error. */
   bool ApplyTo(vtkHapticSession* session);
-  /** Passes the output to a scene, and the chosen tool as it was when its response was made. */
+  /** Passes the output to a scene, with the chosen tool as it was when its response was made. */
   void ShowIn(vtkContactScene* scene);
 
   vtkMTimeType GetMTime() override;

@@ -19,7 +19,7 @@ namespace
 {
 using Tool = vtkSmartPointer<vtkContactTool>;
 
-/// A copy of a tool for another thread.
+/// Returns a copy of a tool, for use on another thread.
 Tool copyOf(vtkContactTool* tool)
 {
   auto copy = Tool::New();
@@ -38,15 +38,16 @@ Tool copyOf(vtkContactTool* tool)
   return copy;
 }
 
-/// A text that is equal for equal tools. A profile has no text of its own.
+/// Returns a text that is equal for equal tools. The text of a profile also contains its
+/// modification time.
 std::string keyOf(vtkContactTool* tool)
 {
   const bool isText = tool->HasSize() || tool->GetShape() == vtkContactTool::PowerLaw;
   return tool->GetSpecification() + (isText ? "" : ' ' + std::to_string(tool->GetMTime()));
 }
 
-/// A shallow copy of `body`, the body on the screen, with the arrays that another thread added to a
-/// copy of it.
+/// Returns a shallow copy of `body`, the displayed body, with the arrays that another thread has
+/// added to its own copy of the body.
 vtkSmartPointer<vtkPolyData> withAddedArrays(vtkPolyData* body, const palpate::MadeResponses& made)
 {
   auto output = vtkSmartPointer<vtkPolyData>::New();
@@ -171,7 +172,7 @@ bool vtkContactSetup::TakeOver(palpate::MadeResponses&& made)
   kept.made = std::move(made);
   kept.output = withAddedArrays(kept.body, kept.made);
   kept.made.body = nullptr;
-  // Cancel() returns to the settings of the last result that is complete.
+  // Cancel() returns to the settings of the last complete result.
   kept.shown = kept.made.isPreliminary ? kept.shown : kept.asked;
   return true;
 }
@@ -239,7 +240,7 @@ void vtkContactSetup::Cancel()
   palpate::ResponseRequest present;
   if (!this->MakeRequest(present) || !palpate::areEqual(kept.made.of, present))
   {
-    kept.requested = 0; // something else has changed
+    kept.requested = 0; // a setting that Cancel does not restore has changed, too
   }
 }
 

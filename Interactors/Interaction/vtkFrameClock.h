@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkFrameClock
- * @brief notifies observers that a frame is due, and draws it
+ * @brief notifies observers of each frame, then draws the frame
  *
- * Set an interactor and call Start. A repeating timer of the interactor makes up to 30 frames a
- * second. Each frame invokes FrameEvent, on which scene, charts and panel update themselves, and
- * renders. Changes by mouse, wheel and widgets are drawn with the next frame, so that no event
- * waits for a rendering. If frames take long, at least half of the time remains for mouse events.
+ * Set an interactor and call Start. A repeating timer of the interactor makes up to 30 frames per
+ * second. Each frame invokes FrameEvent and then renders. Scene, charts and panel update themselves
+ * on FrameEvent. Changes by mouse, wheel and widgets are drawn with the next frame, so that no
+ * event waits for a rendering. If frames take long, at least half of the time remains for mouse
+ * events.
  *
  * Observers with a higher priority are called first: vtkContactPanel, which changes the scene, has
  * priority 1; vtkContactScene has -1.
@@ -44,7 +45,7 @@ public:
   };
 
   ///@{
-  /** The interactor with timer and window. It must be initialised before Start. */
+  /** The interactor, which has the timer and the window. It must be initialised before Start. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
   ///@}
@@ -55,7 +56,7 @@ public:
   void Stop();
   ///@}
 
-  /** Makes one frame immediately, as the timer does. */
+  /** Makes one frame immediately, as the timer would. */
   void ShowFrame();
 
 protected:

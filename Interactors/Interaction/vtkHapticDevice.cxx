@@ -21,17 +21,17 @@
 
 namespace
 {
-constexpr double FreeMargin = 10.0; // mm around a body that is fitted into a workspace
+constexpr double FreeMargin = 10.0; // mm, free space around a body that is fitted into a workspace
 } // namespace
 
 struct vtkHapticDevice::Parts
 {
   palpate::SessionDevice chosen;
 
-  // The mapping at the last Start of the session.
+  // The mapping that was set at the last Start of the session.
   palpate::WorkspaceMapping mapping;
   std::shared_ptr<palpate::HapticDevice> hand;
-  palpate::SimulatedDevice* steered = nullptr; ///< the hand, if it is steered
+  palpate::SimulatedDevice* steered = nullptr; ///< the simulated hand, if it is steered; else null
   double pathDuration = 0.0;                   ///< s
   double rate = 1000.0;                        ///< Hz
   double simulatedForce = 10.0;                ///< N
@@ -45,7 +45,8 @@ struct vtkHapticDevice::Parts
     }
     return specification;
   }
-  /// Makes a stiff hand, or a plant held by a hand, that follows a path or starts at a point.
+  /// Makes a simulated hand that follows a path or starts at a point. The hand is either stiff or a
+  /// plant that is held by a hand.
   template <class Way>
   std::shared_ptr<palpate::SimulatedDevice> makeSimulated(Way way) const
   {

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticDevice
- * @brief the device of a vtkHapticSession: its kind, its mapping to the body, the path of its hand
+ * @brief the device of a vtkHapticSession: its kind, its mapping to the body, the path of the hand
  *
- * Body frame, mm and N, everywhere. The device itself uses SI units behind the workspace mapping.
+ * Lengths in mm and forces in N, in the body's frame. The device itself uses SI units; the
+ * workspace mapping converts them.
  *
  * Devices, by Open:
  * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
  *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
- *   maximum force is SimulatedForce. Neither stiffness nor energy is limited, as no loop is closed
- * through it.
- * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that the force moves by m
- *   dv/dt = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m,
- *   1). A hand of stiffness k (N/m, 300) and hand-damping (N s/m, 5) pulls it towards the path, or
- *   SteerTo. It closes a loop, so that stiffness cap and passivity control act as on a real device
- *   with this damping: no spring above b/(T + 2 delays), where T is one over the session's Rate.
- *   Its maximum force is 10 N. Further settings: friction (N), encoder-step (m), force-delay and
- *   sample-delay (s), hand-force (N), see palpate::readPlant. Settings that are not given, and all
- *   settings of "plant" alone, have their defaults.
+ *   maximum force is SimulatedForce. Neither stiffness nor energy is limited, because the force
+ *   does not act on the motion.
+ * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that moves with the force: m dv/dt
+ *   = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, default
+ *   1). A hand of stiffness k (N/m, default 300) and hand-damping (N s/m, default 5) pulls it
+ *   towards the path, or towards the target of SteerTo. The force acts on the motion, so that
+ *   stiffness cap and passivity control work as on a real device with this damping: no spring above
+ *   b/(T + 2 delays), where T is one over the session's Rate. Its maximum force is 10 N. Further
+ *   settings: friction (N), encoder-step (m), force-delay and sample-delay (s), hand-force (N), see
+ *   palpate::readPlant. Settings that are not given, and all settings of "plant" alone, have their
+ *   defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
  *   RealTime.
  *
- * A C++ caller may give its own device.
+ * C++ code may pass its own device (Use).
  *
- * The mapping consists of the device's origin in the body's frame (Origin), the directions of its x
- * axis (Right) and y axis (Up) there, and the mm of the body per mm of the hand (Scale). The hand
- * perceives the stiffness times the scale.
+ * The mapping consists of: the device's origin in the body's frame (Origin); the directions of the
+ * device's x axis (Right) and y axis (Up) in the body's frame; and the mm of the body per mm of the
+ * hand (Scale). The stiffness at the hand is the stiffness of the body times the scale.
  *
  * Settings take effect at the session's next Start. A device serves one session at a time, on that
  * session's thread.
@@ -67,32 +69,35 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Chooses the device, see above, and opens it. Returns false, after an error, if there is no
-   * device of this name; the present device is then unchanged.
+   * Chooses the device (see the description of the class) and opens it. Returns false, after an
+   * error, if there is no device of this name. The present device is then unchanged.
    */
   bool Open(const std::string& name);
-  /** The devices that are plugged in, one line each, or the reason why there are none. */
+  /** Lists the devices that are plugged in, one per line, or the reason why there are none. */
   static std::string ListDevices();
 
-  /** Status in words: "connected", "unplugged, waiting for it to return". */
+  /** Returns the status in words, such as "connected" or "unplugged, waiting for it to return". */
   std::string GetStatus();
-  /** Whether it exerts a force on a hand. False for a simulated device and for a SpaceMouse. */
+  /** Whether the device exerts a force on a hand. False for a simulated device and for a
+   * SpaceMouse. */
   bool GetOutputsForce();
-  /** Its maximum force, N. */
+  /** Maximum force of the device, N. */
   double GetMaximumForce();
-  /** Whether it is plugged in or bridged, and not simulated, replayed or given by C++. */
+  /** Whether the device is plugged in or bridged, and not simulated, replayed or passed by C++
+   * code. */
   bool IsPhysical();
-  /** Whether it follows SetPath, or SteerTo with RealTime: true for "simulated" and "plant". */
+  /** Whether the device follows SetPath, or SteerTo with RealTime. True for "simulated" and
+   * "plant". */
   bool IsSimulated();
 
   ///@{
-  /** Position of the device's origin in the body, mm. Default 0, 0, 0. */
+  /** Position of the device's origin in the body's frame, mm. Default 0, 0, 0. */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
   ///@}
   ///@{
-  /** Directions of the device's x and y axes in the body: at right angles, of any length. Default x
-   * and y. */
+  /** Directions of the device's x and y axes in the body's frame, perpendicular to each other, of
+   * any length. Default x and y. */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   vtkSetVector3Macro(Up, double);
@@ -110,71 +115,74 @@ public:
   vtkBooleanMacro(Planar, bool);
   ///@}
   ///@{
-  /** Whether the mapping is fitted, instead of using Origin and Scale: the smallest scale for which
-   * the body, with 10 mm around it, is within the device's workspace, with the same centre. Default
-   * off. */
+  /** Whether the mapping is fitted instead of using Origin and Scale. The fitted scale is the
+   * smallest one for which the body, with a margin of 10 mm, is within the device's workspace. The
+   * centres of body and workspace coincide. Default off. */
   vtkSetMacro(FitWorkspace, bool);
   vtkGetMacro(FitWorkspace, bool);
   vtkBooleanMacro(FitWorkspace, bool);
   ///@}
   ///@{
   /**
-   * Maximum force of the device "simulated", N, > 0; infinite: no limit, for a hand that feels no
-   * force, such as one that a mouse steers. Default 10.
+   * Maximum force of the device "simulated", N, > 0. Infinite: no limit, for a device without force
+   * feedback, such as a mouse. Default 10.
    */
   vtkSetMacro(SimulatedForce, double);
   vtkGetMacro(SimulatedForce, double);
   ///@}
   ///@{
   /**
-   * While any of these buttons of the device (bits) is down, the tip does not move and the hand
-   * moves freely. Default 0: none.
+   * Bit mask of buttons. While one of these buttons is pressed, the tip does not move and the hand
+   * moves freely. Default 0: no button.
    */
   vtkSetMacro(ClutchButtons, unsigned int);
   vtkGetMacro(ClutchButtons, unsigned int);
   ///@}
 
-  /** For a simulated device in virtual time: its path, a polyline with a point array `Time` (s, not
-   * decreasing). For a tilted tool also a point array `ToolAxis` (3, from the tip to the hand). */
+  /** Path of a simulated device in virtual time: a polyline with the point array `Time` (s, not
+   * decreasing). For a tilted tool it also has the point array `ToolAxis` (3 numbers, from the tip
+   * to the hand). */
   void SetPath(vtkPolyData* path);
   /**
-   * Time of the last point of the path in use since Start, s; 0 before Start and without a path.
+   * Time of the last point of the path that is in use since Start, s; 0 before Start and without a
+   * path.
    */
   double GetPathDuration();
-  /** For a simulated device with RealTime: the target of the hand, mm, to which it moves on a
-   * straight line, also through the body. Before Start: its starting point. */
+  /** Target of the hand of a simulated device with RealTime, mm. The hand moves to it on a straight
+   * line, also through the body. Before Start this is the starting point of the hand. */
   void SteerTo(const double tip[3]);
   /**
-   * For a simulated device with RealTime: the hand moves to `height` (mm) above a point of the
-   * body's surface with an outward unit normal; at a negative height it presses. Unlike SteerTo, it
-   * does not pass through the body: it lifts off, moves around the body and comes down, or slides
-   * if both places are near and pressed. The depth is never larger than the one set
-   * (palpate::GuidedHand). Before Start: its starting place. A planar device goes straight.
+   * Moves the hand of a simulated device with RealTime to the height `height` (mm) above a point of
+   * the body's surface with the outward unit normal `normal`. At a negative height it presses.
+   * Unlike SteerTo, the hand does not pass through the body: it lifts off, moves around the body
+   * and comes down. It slides if both places are pressed and close to each other. The depth never
+   * exceeds the given depth (palpate::GuidedHand). Before Start this is the starting place. A
+   * planar device moves on a straight line.
    */
   void TouchAt(const double point[3], const double normal[3], double height);
   /**
-   * For a simulated device with RealTime: the axis of the tool, from the tip to the hand, in the
-   * body's frame; of any length. Zero (default): the axis is unknown, and the tool is along the
-   * normal.
+   * Axis of the tool of a simulated device with RealTime: from the tip to the hand, in the body's
+   * frame, of any length. Zero (default): the axis is unknown, and the tool is along the normal.
    */
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
-  /** Uses a device given by the caller. */
+  /** Uses a device that is passed by the caller. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 
-  /** Called by the session at its start: reads mapping and path, and makes the hand, for a body
-   * with these bounds (mm), at `rate` (Hz). Returns "" or an error. */
+  /** Called by the session at its start. Reads mapping and path, and makes the hand, for a body
+   * with these bounds (mm), at `rate` (Hz). Returns "" or an error message. */
   std::string Prepare(const std::shared_ptr<const palpate::ContactBody>& body,
     const double bounds[6], bool realTime, double rate);
-  /** Called by the session when it changes over to another body, not null. */
+  /** Called by the session when it changes to another body, which is not null. */
   void ChangeBody(const std::shared_ptr<const palpate::ContactBody>& body);
-  /** Discards the results of Prepare, if the session does not start, or starts again. */
+  /** Discards the results of Prepare. Called if the session does not start, or before it starts
+   * again. */
   void Release();
-  /** The hand made by Prepare; null before. */
+  /** The hand made by Prepare; null before Prepare. */
   std::shared_ptr<palpate::HapticDevice> GetHand() const;
   const palpate::WorkspaceMapping& GetMapping() const;
-  /** Whether the hand of the device moves independently of the force. */
+  /** Whether the hand moves independently of the force. */
   bool IsStiff() const;
 #endif
 
@@ -200,7 +208,7 @@ private:
   void Touch();
 
   double Steered[3] = { 0.0, 0.0, 0.0 };
-  bool Touches = false; ///< whether TouchAt was called last
+  bool Touches = false; ///< whether TouchAt was called after SteerTo
   double TouchedPoint[3] = { 0.0, 0.0, 0.0 };
   double TouchedNormal[3] = { 0.0, 0.0, 1.0 };
   double TouchedHeight = 0.0;

@@ -22,7 +22,7 @@ void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
   this->Run = run;
 }
 
-/// Returns the run of the session, after collecting the newly recorded ticks; or null.
+/// Collects the newly recorded ticks. Returns the run of the session, or null if there is none.
 palpate::SessionRun* vtkHapticRecorder::Collected()
 {
   palpate::SessionRun* run = this->Run.lock().get();

@@ -4,9 +4,9 @@
  * @brief records the ticks of a vtkHapticSession, and their timing
  *
  * In virtual time all ticks are stored. On the servo thread, ticks wait in a buffer until they are
- * read, which happens at each query of the session, for example once a frame. Ticks that wait for
- * more than RecordedSeconds are lost, and counted. HistorySeconds stores only the last ticks, for
- * charts of a session of unlimited length.
+ * read. They are read at each query of the session, for example once per frame. Ticks that wait for
+ * more than RecordedSeconds are lost, and their number is counted. HistorySeconds stores only the
+ * last ticks, for charts of a session of unlimited length.
  *
  * Settings are read at the session's Start. Results are those of the run since Start; they are
  * empty before Start, and are lost when the session is deleted. Only the session's thread may use
@@ -59,8 +59,8 @@ public:
   vtkBooleanMacro(Recording, bool);
   ///@}
   ///@{
-  /** With RealTime: longest time that ticks wait to be read, s, 0.1 to 100. A tick needs 600 bytes.
-   * Default 5. */
+  /** With RealTime: longest time for which ticks wait to be read, s, 0.1 to 100. A tick needs 600
+   * bytes. Default 5. */
   vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
   vtkGetMacro(RecordedSeconds, double);
   ///@}
@@ -81,17 +81,17 @@ public:
    */
   void GetRecording(vtkPolyData* recording);
   /**
-   * The recording of one of several devices, by its index; empty for a wrong index. The history,
-   * and all results without a device index, are those of the first device.
+   * The recording of one of several devices, given by its index. Empty for an invalid index. The
+   * history, and all results without a device index, are those of the first device.
    */
   void GetRecording(vtkPolyData* recording, int device);
-  /** As GetRecording, for the history: the ticks less than HistorySeconds before the newest tick.
-   * */
+  /** As GetRecording, but for the history: the ticks of the last HistorySeconds before the newest
+   * tick. */
   void GetHistory(vtkPolyData* history);
 
-  /** Ticks missed since Start; none in virtual time. */
+  /** Number of ticks missed since Start; 0 in virtual time. */
   vtkIdType GetNumberOfMissedTicks();
-  /** Ticks made since Start that were not read in time: neither the recording nor the history
+  /** Number of ticks since Start that were not read in time. Neither the recording nor the history
    * contains them. */
   vtkIdType GetNumberOfLostTicks();
 
@@ -102,35 +102,36 @@ public:
    * and repeated, forces refused, ticks not recorded, scene changes, and the device's own errors.
    */
   void GetStatistics(vtkTable* statistics);
-  /** The row for one of several devices. Contacts and peaks are those of the device; times and
+  /** The same row for one of several devices. Contacts and peaks are those of the device; times and
    * errors are those of all devices. */
   void GetStatistics(vtkTable* statistics, int device);
-  /** With RealTime: statistics and timing, as lines of text. Empty otherwise. */
+  /** With RealTime: statistics and timing as lines of text. Empty in virtual time. */
   std::string GetStatisticsText();
   /**
-   * With RealTime: columns Share, Period, WakeUp and Tick (us, wall clock). Each row has the time
-   * that this fraction of the ticks does not exceed, with a resolution of 1/32. The last row,
-   * fraction 1, is the worst case. Empty otherwise.
+   * With RealTime: a table with the columns Share, Period, WakeUp and Tick (us, wall clock). Share
+   * is a fraction of the ticks. The other columns give the time that this fraction does not exceed,
+   * with a resolution of 1/32. The last row, Share 1, is the worst case. Empty in virtual time.
    */
   void GetTiming(vtkTable* timing);
   /** With RealTime: histograms of Period, WakeUp and Tick. Each row is a class of durations, longer
    * than `From (us)` and up to `To (us)`. The two limits differ by at most 1/32. The rows extend
-   * from the first to the last class that contains a tick. Counts are double. Empty otherwise. */
+   * from the first to the last class that contains a tick. Counts are double. Empty in virtual
+   * time. */
   void GetTimingHistogram(vtkTable* histogram);
-  /** With RealTime: the scheduling that the system permits the servo thread, and the reason if a
-   * better scheduling was refused. */
+  /** With RealTime: the scheduling that the system permits for the servo thread, and the reason if
+   * a better scheduling was refused. */
   std::string GetRealTimeGrant();
 
 #ifndef __VTK_WRAP__
   /** All ticks since Start. */
   const std::vector<palpate::Tick>& GetTicks();
   const std::vector<palpate::Tick>& GetTicks(int device);
-  /** The ticks of the last HistorySeconds, numbered. */
+  /** The ticks of the last HistorySeconds, with their numbers. */
   const palpate::TickHistory& GetLastTicks();
-  /** Records the ticks of a part of the session, also across several runs. */
+  /** The tape, which records the ticks of a part of the session, also across several runs. */
   const std::shared_ptr<palpate::TickTape>& GetTape();
 
-  /** Called by a session that starts; null: no run. */
+  /** Called by a session that starts. Null: no session runs. */
   void Follow(const std::shared_ptr<palpate::SessionRun>& run);
 #endif
 

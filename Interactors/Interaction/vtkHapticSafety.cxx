@@ -28,7 +28,7 @@ palpate::SafetySettings vtkHapticSafety::GetSettings(
   const palpate::DeviceSpecification& device, bool isStiff) const
 {
   auto safety = palpate::SafetySettings::of(device);
-  // A limit that is NaN remains NaN, so that the error can name it.
+  // A limit that is NaN stays NaN, so that the error message can name it.
   safety.maximumForce = std::min(this->ForceLimit, safety.maximumForce);
   safety.maximumStiffness = std::min(this->StiffnessLimit, safety.maximumStiffness);
   safety.maximumTorque = std::min(this->TorqueLimit, safety.maximumTorque);

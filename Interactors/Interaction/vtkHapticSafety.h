@@ -3,13 +3,13 @@
  * @class vtkHapticSafety
  * @brief the limits of a vtkHapticSession's force before it reaches the hand
  *
- * Settings of the safety chain: its optional links, limits in addition to those of the device, and
- * the fit of all forces to the device. Three protections cannot be switched off: the device's own
- * limits, no force without a valid sample, and no force that is not finite.
+ * Settings of the safety chain: its optional links, limits in addition to the limits of the device,
+ * and the fit of all forces to the device. Three protections cannot be switched off: the limits of
+ * the device, no force without a valid sample, and no force that is not finite.
  *
- * FitForce scales all forces by one factor, so that down to FitDepth none of the compared responses
- * exceeds the device's maximum force and stiffness at any vertex. The ratios of the forces are then
- * unchanged, whereas a limit would make large forces equal.
+ * FitForce scales all forces by one factor. With this factor none of the compared responses exceeds
+ * the device's maximum force and stiffness at any vertex down to FitDepth. The ratios of the forces
+ * are unchanged. A limit, in contrast, would make all large forces equal.
  *
  * The properties are read at the session's Start; those of the fit also at ApplyChanges. Start and
  * ApplyChanges fail with an error if a number is out of its range. Not thread-safe.
@@ -59,8 +59,9 @@ public:
   ///@}
   ///@{
   /**
-   * Stiffness cap and passivity control act where the device's specification requires them. Default
-   * on. There is no passivity control through the stiff hand of "simulated" and "replay:FILE".
+   * Whether stiffness cap and passivity control act. They act only where the device's specification
+   * requires them. Default on. Passivity control does not act for the stiff hand of "simulated" and
+   * "replay:FILE".
    */
   vtkSetMacro(StiffnessCap, bool);
   vtkGetMacro(StiffnessCap, bool);
@@ -91,7 +92,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether forces are fitted to the device, see above. Default off: the factor is 1. */
+  /** Whether forces are fitted to the device (see the description of the class). Default off: the
+   * factor is 1. */
   vtkSetMacro(FitForce, bool);
   vtkGetMacro(FitForce, bool);
   vtkBooleanMacro(FitForce, bool);
@@ -115,8 +117,8 @@ public:
     return this->FitResponses;
   }
   /**
-   * The settings of the chain for this device. `isStiff`: whether the hand of the device moves
-   * independently of the force.
+   * Returns the settings of the safety chain for a device. `isStiff`: whether the hand of the
+   * device moves independently of the force.
    */
   palpate::SafetySettings GetSettings(
     const palpate::DeviceSpecification& device, bool isStiff) const;

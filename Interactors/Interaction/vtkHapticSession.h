@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHapticSession
- * @brief a haptic device over a body with responses, tick by tick
+ * @brief the contact of a haptic device with a body that has responses, tick by tick
  *
- * Set a body (with response arrays) and, for the simulated device, a path. Call Start, then Step in
- * virtual time, and read the contact. In virtual time the results do not depend on the machine: the
- * same steps give the same bits. With RealTime, Start starts the servo thread at Rate; Step has no
- * effect, and the getters return the newest tick.
+ * Set a body (with response arrays) and, for the simulated device, a path. Call Start. In virtual
+ * time, then call Step and read the contact. The results in virtual time do not depend on the
+ * machine: the same steps give the same bits. With RealTime, Start starts the servo thread at Rate.
+ * Step then has no effect, and the getters return the newest tick.
  *
- * Its parts are separate objects, never null. They may be exchanged while the session is stopped:
- * - GetDevice: the device, its mapping to the body, the path of its hand;
+ * The parts of a session are separate objects, never null. They may be exchanged while the session
+ * is stopped:
+ * - GetDevice: the device, its mapping to the body, the path of the hand;
  * - GetSettings: the settings of the contact;
  * - GetSafety: the limits of a force before it reaches the hand;
  * - GetRecorder: the recorded ticks, and their timing.
  *
- * Body frame, mm and N, everywhere. There are two forces: the ideal force, and the applied force,
- * which the safety chain has fitted to the device (force factor, stiffness cap, limits, passivity).
- * GetSafetyText names the links that acted.
+ * Lengths in mm and forces in N, in the body's frame. There are two forces: the ideal force of the
+ * contact, and the applied force. The safety chain makes the applied force from the ideal force, to
+ * fit it to the device (force factor, stiffness cap, limits, passivity). GetSafetyText names the
+ * links that acted.
  *
  * ApplyChanges passes another body, response or settings to a running session, also during contact:
  * the force changes to its new value within 50 ms.
@@ -24,12 +26,12 @@
  * If a device is lost, the session continues with no force, in the state DeviceLost, until the
  * device returns.
  *
- * AddDevice puts further devices, up to four in total, on the same body, each with its own mapping
+ * AddDevice puts further devices on the same body, up to four in total. Each has its own mapping
  * and safety chain. One loop computes the ticks of all devices at the same times. If the response
  * of the body has a coupling (vtkToolContactResponse), the tools affect one another through the
- * deflection of the surface; a lost device has no effect on the others. Devices are numbered
- * from 0; number 0 is that of GetDevice. For an index without a device, getters return the values
- * before the first tick.
+ * deflection of the surface; a lost device has no effect on the others. Devices are numbered from
+ * 0; number 0 is the device of GetDevice. For an invalid index, getters return the values before
+ * the first tick.
  *
  * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *
@@ -95,9 +97,9 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Sets the body together with the kernels that Start and ApplyChanges would otherwise make from
-   * its responses. Kernels made in the background take no time at Start and ApplyChanges. They are
-   * valid for one Start, and until the body is changed.
+   * Sets the body, and the kernels that Start and ApplyChanges would otherwise make from its
+   * responses. If the kernels are made in the background, Start and ApplyChanges take no time for
+   * them. The kernels are valid for one Start, and until the body is changed.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -111,25 +113,25 @@ public:
   ///@{
   /**
    * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
-   * which fail with an error if a value is out of its range. Default, or if null is set: a separate
-   * object with the default values.
+   * which fail with an error if a value is out of its range. Null sets a separate object with the
+   * default values, which is also the default.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except for the target of a simulated hand. Default, or if null is
-   * set: a separate "simulated" device.
+   * The device. Read at Start, except for the target of a simulated hand. Null sets a separate
+   * "simulated" device, which is also the default.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
   ///@{
   /**
-   * Adds a device, by a name as in vtkHapticDevice::Open; it takes part after the next Start.
-   * Returns its index, or -1 after an error. Path, mapping and steering are set on
-   * GetDevice(index), which is null for a wrong index. RemoveAddedDevices keeps only the first
+   * Adds a device, with a name as in vtkHapticDevice::Open. It takes part after the next Start.
+   * Returns its index, or -1 after an error. Path, mapping and steering of the device are set on
+   * GetDevice(index), which is null for an invalid index. RemoveAddedDevices keeps only the first
    * device.
    */
   int AddDevice(const std::string& name);
@@ -142,14 +144,15 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Default, or if null
-   * is set: a separate object.
+   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Null sets a
+   * separate object, which is also the default.
    */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** The recorder of the ticks. Read at Start. Default, or if null is set: a separate object. */
+  /** The recorder of the ticks. Read at Start. Null sets a separate object, which is also the
+   * default. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
@@ -169,10 +172,10 @@ public:
 
   ///@{
   /**
-   * With RealTime: time before each tick at which the servo thread wakes up and rehearses the
-   * contact, s, 0 to half a period; see ServoLoopSettings. With rehearsal, the delay from the
-   * sample to the force is shorter, but each tick needs this additional processor time. Default 0:
-   * the thread sleeps until the tick.
+   * With RealTime: time before each tick at which the servo thread wakes up and computes the
+   * contact in advance (rehearsal), s, 0 to half a period; see ServoLoopSettings. Rehearsal
+   * shortens the delay from the sample to the force, but each tick needs this additional processor
+   * time. Default 0: the thread sleeps until the tick.
    */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
@@ -180,8 +183,9 @@ public:
 
   ///@{
   /**
-   * With RealTime: whether the memory of the process is locked against paging, if the system allows
-   * it. A library does not lock memory by itself, so the program must request it. Default off.
+   * With RealTime: whether the memory of the process is locked against paging, if the system
+   * permits it. Only the program may decide this, so a library does not do it by default. Default
+   * off.
    */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
@@ -190,14 +194,14 @@ public:
 
   /** Ticks made since Start. */
   vtkIdType GetNumberOfTicks() const;
-  /** Number of successful Starts, which identifies the run. */
+  /** Number of successful calls of Start. It identifies the run. */
   vtkIdType GetNumberOfStarts() const
   {
     return this->Starts;
   }
 
-  /** Reads the body and the path, and begins at time 0. Returns false after an error that names the
-   * fault. */
+  /** Reads the body and the path, and starts at time 0. Returns false after an error; the error
+   * names the fault. */
   bool Start();
   void Stop();
   /** Stops the session if it runs, otherwise starts it. */
@@ -207,31 +211,33 @@ public:
    * Passes the present body, ResponseName and contact settings to the running session. The force
    * changes to its new value within 50 ms, also during contact. If two calls follow in quick
    * succession, the later one takes effect. No effect if the session does not run. Returns false
-   * after an error that names the fault; the session then continues unchanged.
+   * after an error, which names the fault; the session then continues unchanged.
    */
   bool ApplyChanges();
 
-  /** Runs all ticks due in the next `seconds` of virtual time. Steps of any length add up. No
-   * effect unless the session runs, and for times that are not positive and finite. */
+  /** Computes all ticks that are due in the next `seconds` of virtual time. Only the sum of all
+   * steps matters, not their lengths. No effect if the session does not run, or if `seconds` is
+   * not positive and finite. */
   void Step(double seconds);
 
   int GetState() const;
-  /** State of one of several devices. Each device can be in the state DeviceLost independently. */
+  /** State of one of several devices. Each device has its own state; one can be in the state
+   * DeviceLost while the others run. */
   int GetState(int device) const;
   /** Virtual time of the next tick, s. */
   double GetTime() const;
 
   ///@{
-  /** Values of the newest tick: tip, contact point, total force on the tool (ideal, and applied by
-   * the device), the friction in it, normal, deflection, contact state as in vtkToolContactProbe.
-   * Zeros before the first tick. */
+  /** Values of the newest tick: tip; contact point; total force on the tool (GetIdealForce: ideal,
+   * GetForce: applied by the device); friction as part of it; normal; deflection; and contact
+   * state as in vtkToolContactProbe. Zeros before the first tick. */
   void GetTip(double tip[3]);
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
   void GetForce(double force[3]);
   void GetFrictionForce(double force[3]);
   void GetNormal(double normal[3]);
-  /** Cell of the body in contact, -1 for none. */
+  /** Cell of the body that is in contact; -1 without contact. */
   vtkIdType GetContactCell();
   double GetDeflection();
   int GetContactState();
@@ -266,24 +272,25 @@ public:
   std::string GetSafetyText(int device);
   ///@}
   /**
-   * The factor by which the ideal force of the newest tick was fitted to the device. Before the
-   * first tick, the factor of Start.
+   * Factor by which the ideal force of the newest tick was scaled to fit the device. Before the
+   * first tick: the factor chosen at Start.
    */
   double GetForceFactor();
-  /** Why forces are fitted, "the device is too weak: 10 N of 52.3 N"; "" if the factor is 1. */
+  /** Reason for the factor, such as "the device is too weak: 10 N of 52.3 N"; "" if the factor is
+   * 1. */
   std::string GetFitReason() const
   {
     return this->FitReason;
   }
   /**
-   * The largest force that can reach the hand, N: the device's maximum or the limit of the safety,
-   * whichever is smaller.
+   * Largest force that can reach the hand, N: the smaller of the device's maximum force and the
+   * limit of the safety chain.
    */
   double GetMaximumForce();
   /**
-   * Text with the reasons why the applied force differs from the ideal force, and the factor, for
-   * example "force ×0.12 (the device is too weak: 10 N of 83.3 N), stiffness capped". "" if it does
-   * not differ.
+   * Text with the reasons for a difference between applied force and ideal force, and the factor,
+   * for example "force ×0.12 (the device is too weak: 10 N of 83.3 N), stiffness capped". "" if the
+   * forces do not differ.
    */
   std::string GetSafetyText();
 
@@ -333,10 +340,10 @@ private:
   bool LockMemory = false;
   double Rehearsal = 0.0;
   vtkIdType Starts = 0;
-  double FittedFactor = 1.0; ///< factor of the newest servo scene
-  std::string FitReason;     ///< why it is below 1
+  double FittedFactor = 1.0; ///< force factor of the newest servo scene
+  std::string FitReason;     ///< reason for a factor below 1; "" if the factor is 1
 
-  // The body for which defects were reported last, and its modification time then.
+  // Body and modification time for which defects were reported last.
   vtkPolyData* Unsound = nullptr;
   vtkMTimeType UnsoundTime = 0;
 

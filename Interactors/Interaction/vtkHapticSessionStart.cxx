@@ -63,7 +63,7 @@ bool vtkHapticSession::Start()
   this->ReleaseDevices();
   if (!this->Known->given)
   {
-    *this->Known = {}; // the body may have been changed in place
+    *this->Known = {}; // not reused, because the body may have been changed in place
   }
   this->Known->given = false;
   const auto body = this->CheckSettings() ? this->ReadBody(this->ResponseName) : nullptr;
@@ -163,7 +163,7 @@ std::shared_ptr<const palpate::ContactBody> vtkHapticSession::ReadBody(
   return kernel;
 }
 
-/// Warns once for each body.
+/// Warns of the defects of the mesh, once for each body.
 void vtkHapticSession::WarnOfDefects(const palpate::ContactBody& kernel)
 {
   const std::string defects = palpate::describeDefects(kernel.surface.defects());
@@ -209,7 +209,7 @@ std::unique_ptr<palpate::ServoScene> vtkHapticSession::MakeScene(const std::vect
   {
     return nullptr;
   }
-  double factor = 1.0; // all devices have one factor, so that their forces are comparable
+  double factor = 1.0; // all devices share one factor, so that their forces can be compared
   std::string reason;
   for (const Hand& hand : hands)
   {

@@ -33,7 +33,7 @@
 namespace
 {
 constexpr double RimWidth = 0.1;      // fraction of the tool's radius
-constexpr double AppliedOffset = 6.0; // mm, distance of the applied force from the ideal one
+constexpr double AppliedOffset = 6.0; // mm, distance between the arrows of applied and ideal force
 
 constexpr palpate::ArrowLook TotalLook = { palpate::ForceColor, 0.9, 2.4, 6.0, 22, true, 0.0 };
 constexpr palpate::ArrowLook AppliedLook = { palpate::AppliedForceColor, 0.9, 2.4, 6.0, 16, true,
@@ -43,13 +43,14 @@ constexpr palpate::ArrowLook NormalLook = { palpate::NormalForceColor, 0.45, 1.4
 constexpr palpate::ArrowLook FrictionLook = { palpate::FrictionForceColor, 0.45, 1.4, 4.0, 16,
   false, 0.65 };
 
-/// The unit vector perpendicular to `arrow` that points to the right as seen by the camera.
+/// Returns the unit vector perpendicular to `arrow` that points to the right in the picture.
 Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
 {
   const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
   const Eigen::Vector3d along = arrow.normalized();
   const Eigen::Vector3d right = ahead.cross(along);
-  // The right side is not defined for an arrow that points at the camera.
+  // For an arrow that points at the camera this vector is undefined. The camera's right is used
+  // instead.
   return right.norm() > 0.1 ? right.normalized()
                             : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
@@ -168,7 +169,8 @@ void vtkHapticToolRepresentation::SetContact(const double tip[3], const double n
   const Eigen::Vector3d torque(this->TorqueAboutTip);
   if (palpate::isNoticeable(torque / palpate::TorqueArc::Radius, total))
   {
-    // The arc begins on the side to which the tool is tilted; there the contact pushes the tool up.
+    // The arc begins on the side to which the tool is tilted. On that side the contact pushes the
+    // tool up.
     const Eigen::Vector3d side = Eigen::Vector3d(this->Axis).cross(torque);
     this->Torque->show(Eigen::Vector3d(tip), torque, side, this->ForceScale);
   }
@@ -184,8 +186,8 @@ int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   if (renderer && this->Applied->isShown())
   {
-    // The applied force is drawn to the right of the ideal force or, without an ideal force, to the
-    // right of its own position.
+    // The arrow of the applied force is moved to the right of the ideal force. Without an ideal
+    // force it is moved to the right of its own position.
     const Eigen::Vector3d origin(this->ContactPoint);
     const Eigen::Vector3d arrow =
       (this->Total->isShown() ? this->Total->head() : this->Applied->head()) - origin;
@@ -223,8 +225,8 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
     }
   };
   add(*this->Total, this->Total->tail());
-  // The label is placed to the right, since the applied force is always to the right of the ideal
-  // force.
+  // The label of the applied force is placed to the right of its arrow, because the ideal force is
+  // on the left.
   const Eigen::Vector3d right = this->Applied->tail() - Eigen::Vector3d(this->ContactPoint);
   add(*this->Applied, this->Applied->head() - right);
   add(*this->NormalPart, this->NormalPart->tail());
@@ -236,8 +238,8 @@ void vtkHapticToolRepresentation::CollectLabels(std::vector<palpate::AnchoredLab
   }
 }
 
-/// Collects the tool: its axis with the radius of the tool, and the rim at its upper end, which the
-/// round end of the axis does not reach.
+/// Adds the tool to the obstacles: its axis with the radius of the tool, and the rim at its upper
+/// end, which the rounded end of the axis does not cover.
 void vtkHapticToolRepresentation::CollectTool(std::vector<palpate::LabelObstacle>& obstacles)
 {
   vtkMatrix4x4* frame = this->ToolActor->GetUserMatrix();
@@ -247,7 +249,7 @@ void vtkHapticToolRepresentation::CollectTool(std::vector<palpate::LabelObstacle
   }
   this->Source->Update();
   double bounds[6];
-  this->Source->GetOutput()->GetBounds(bounds); // the tip is the origin, the axis is z
+  this->Source->GetOutput()->GetBounds(bounds); // the tip is at the origin, the axis is z
   const double radius = std::max(bounds[1], bounds[3]);
   const auto inWorld = [frame](double x, double y, double z) -> Eigen::Vector3d
   {
@@ -271,7 +273,8 @@ void vtkHapticToolRepresentation::CollectTool(std::vector<palpate::LabelObstacle
   }
 }
 
-/// Collects all that labels leave free: the tool, arrows with their signs, and the contact circle.
+/// Collects all parts that labels must not cover: the tool, the arrows with their signs, and the
+/// contact circle.
 void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObstacle>& obstacles)
 {
   if (this->LabelsAfter)

@@ -8,8 +8,8 @@
  * force starts at the contact point and is ForceScale mm long per newton. The label at its head is
  * the magnitude in newtons. Without force there is no arrow.
  *
- * With friction of at least 2 % of the force, two thinner arrows from the same point show the parts
- * of the force, normal and friction. If the applied force (after the safety chain) differs from the
+ * If the friction is at least 2 % of the force, two thinner arrows from the same point show the
+ * normal force and the friction. If the applied force (after the safety chain) differs from the
  * ideal force by more than 2 %, the applied force is drawn to the right of the ideal force as seen
  * by the camera, at the same scale.
  *
@@ -20,13 +20,14 @@
  * Labels stay inside the viewport. They do not cover one another, arrows, tool or contact circle,
  * as long as the viewport has a free place.
  *
- * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm,
- * if it is at least 2 % of the torque that the force would have at the arc's radius. A force at
- * that radius with the same torque would have an arrow as long as the arc.
+ * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm.
+ * It is drawn if it is at least 2 % of the torque that the contact force would have with the arc's
+ * radius as lever arm. The length of the arc is the length of an arrow for a force that has the
+ * same torque at the arc's radius.
  *
- * BeyondValidity dashes the arrows.
+ * BeyondValidity draws the arrows dashed.
  *
- * Body frame; mm and N.
+ * Lengths in mm and forces in N, in the body's frame.
  *
  * @code{.py}
  * shown = palpate.vtkHapticToolRepresentation()
@@ -87,9 +88,9 @@ public:
 
   ///@{
   /**
-   * Whether normal force and friction are drawn, if there is friction; and whether the applied
-   * force is drawn, if it differs from the ideal force. A change takes effect with the next
-   * contact. Default on.
+   * ComponentsVisibility: whether normal force and friction are drawn if there is friction.
+   * AppliedForceVisibility: whether the applied force is drawn if it differs from the ideal force.
+   * A change takes effect with the next contact. Default on.
    */
   vtkSetMacro(ComponentsVisibility, bool);
   vtkGetMacro(ComponentsVisibility, bool);
@@ -107,32 +108,34 @@ public:
   ///@}
 
   /**
-   * Sets the tip of the tool, the outward normal along which the tool stands, the start of the
-   * arrow, and the force on the tool (N). A zero normal leaves the direction unchanged.
+   * Sets the tip of the tool, the outward normal along which the tool is drawn, the start of the
+   * arrow, and the force on the tool (N). If the normal is zero, the direction does not change.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
   /**
-   * Also sets the friction in the force, and the applied force. Without a device, or if the forces
-   * are equal, `applied` must be equal to `force`.
+   * As above, with the friction that is part of the force, and the applied force. Without a device,
+   * or if the forces are equal, pass `force` as `applied`.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
   /**
-   * Sets, for the next contacts, the axis of the tool, from its tip up the shaft, and the torque on
-   * the tool about the tip, N mm. Zeros (default): the axis is unknown, and there is no torque.
+   * Sets, for the next contacts, the axis of the tool (from its tip up the shaft) and the torque on
+   * the tool about its tip, N mm. Zeros (default): the axis is unknown, and there is no torque.
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
   /**
-   * Another representation, drawn before this one, whose labels are placed first. The labels of
-   * this representation avoid them. Default none.
+   * Sets another representation that is drawn before this one. Its labels are placed first, and the
+   * labels of this representation avoid them. Default none.
    */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
   ///@{
-  /** Radius of the circle around the contact point that labels leave free, mm; 0 (default): none.
+  /**
+   * Radius of the circle around the contact point that labels must not cover, mm; 0 (default): no
+   * circle.
    */
   vtkSetMacro(ContactRadius, double);
   vtkGetMacro(ContactRadius, double);
@@ -140,16 +143,16 @@ public:
 
   ///@{
   /**
-   * Whether a label remains at its place relative to its arrow while another place is only a little
-   * better, so that it does not jump in a live picture. Off (default): a picture does not depend on
-   * the pictures before.
+   * Whether a label stays at its place relative to its arrow unless another place is clearly
+   * better. Then labels do not jump in a live picture. Off (default): a picture does not depend on
+   * the previous pictures.
    */
   vtkSetMacro(SteadyLabels, bool);
   vtkGetMacro(SteadyLabels, bool);
   ///@}
 
   ///@{
-  /** Overridden to place the applied force and the labels, which depend on the camera. */
+  /** Overridden, because the places of the applied force and of the labels depend on the camera. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
   ///@}
@@ -182,7 +185,7 @@ private:
   bool BeyondValidity = false;
   bool SteadyLabels = false;
   double ContactRadius = 0.0;
-  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool stands
+  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction in which the tool is drawn
   double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< axis of the tool, if it is known
   double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };
   double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< start of the arrows

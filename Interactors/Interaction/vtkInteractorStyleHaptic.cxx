@@ -74,7 +74,7 @@ void vtkInteractorStyleHaptic::SetPressDepth(double depth)
 
 void vtkInteractorStyleHaptic::SetWheelDepth(double depth)
 {
-  constexpr double rounding = 1e-9; // allows for the rounding error of a sum of notches
+  constexpr double rounding = 1e-9; // tolerance for the rounding error of a sum of notches
   this->Steered().wheelDepth = depth < rounding ? 0.0 : std::min(depth, this->MaximumDepth);
   this->Modified();
 }
@@ -154,7 +154,7 @@ bool vtkInteractorStyleHaptic::IsPointerOffBody()
   return this->OffBody && this->Interactor && this->FindSceneRenderer();
 }
 
-/// Steers the tip to a height above a point of the surface; a negative height presses.
+/// Steers the tip to a height (mm) above a point of the surface. A negative height presses.
 void vtkInteractorStyleHaptic::TouchAt(const double point[3], const double normal[3], double height)
 {
   palpate::SteeredHand& hand = this->Steered();
@@ -187,7 +187,7 @@ void vtkInteractorStyleHaptic::SteerAlike(vtkHapticDevice* device) const
   }
 }
 
-/// Steers to the point under the pointer, at the tip's distance from the viewer plus `away` mm.
+/// Steers to the point under the pointer, at the tip's distance from the viewer plus `away` (mm).
 bool vtkInteractorStyleHaptic::SteerInView(double away)
 {
   vtkRenderer* renderer = this->FindSceneRenderer();
@@ -215,7 +215,7 @@ void vtkInteractorStyleHaptic::HoverAt(const double point[3], const double norma
   this->TouchAt(point, normal, this->HoverHeight);
 }
 
-/// Sets the direction of the tool without contact, and its tilt relative to that direction.
+/// Sets the direction of the tool while it has no contact, and its tilt relative to that direction.
 void vtkInteractorStyleHaptic::FaceAlong(const double direction[3])
 {
   const palpate::SteeredTilt& tilt = this->Steered().tilt;

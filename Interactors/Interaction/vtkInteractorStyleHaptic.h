@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkInteractorStyleHaptic
- * @brief over the body the mouse moves the tool; elsewhere it moves the camera
+ * @brief moves the tool with the mouse over the body, and the camera elsewhere
  *
  * Set a session (RealTime) and the scene that shows it; a vtkFrameClock draws the scene. The style
  * never waits for the servo thread.
@@ -11,23 +11,23 @@
  *   the tool moves around the body (vtkHapticDevice::TouchAt);
  * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
  *   the depth by 0.1 mm per notch; a tool that the wheel presses keeps its depth;
- * - wheel without a button: the tool presses WheelDepth deep, which changes by 0.1 mm per notch; at
- *   0 the tool hovers again;
+ * - wheel without a button: the tool presses WheelDepth deep; each notch changes WheelDepth by 0.1
+ *   mm; at 0 the tool hovers again;
  * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees relative to the surface normal
  *   (with ViewPlane, relative to the direction to the viewer); key 0: upright;
  * - with Steering ViewPlane (key v), the pointer moves the tip in the plane through the tip
  *   parallel to the picture, both in free space and in the body. The wheel moves the tip away from
  *   the viewer or towards the viewer, by 0.1 mm per notch.
  *
- * A tool that presses keeps its place while the pointer is off the body (IsPointerOffBody).
+ * A tool that presses stays where it is while the pointer is not over the body (IsPointerOffBody).
  *
  * Elsewhere in the scene the mouse acts as in vtkInteractorStyleTrackballCamera: the left button
  * orbits, the middle button pans, the right button and the wheel zoom. With Control the wheel zooms
  * everywhere. In other viewports that are not interactive, such as a panel or charts, the mouse has
  * no effect.
  *
- * For a session with several devices, the pointer moves one hand at a time, given by Hand (key n
- * changes to the next simulated hand). The other hands do not move and continue to press.
+ * For a session with several devices, the pointer moves one hand at a time, given by Hand. Key n
+ * changes to the next simulated hand. The other hands do not move and continue to press.
  *
  * **Keys**: see GetKeyHelp; ? or h shows and hides this help on the screen. For keys that the style
  * does not handle itself, it invokes events: 1 to 9 ToolChosenEvent (call data: int*, from 0),
@@ -79,7 +79,7 @@ public:
   {
     ToolChosenEvent = vtkCommand::UserEvent + 401,
     SwitchEvent = vtkCommand::UserEvent + 402,
-    SteeredEvent = vtkCommand::UserEvent + 403, ///< call data: double[3], the new target, mm
+    SteeredEvent = vtkCommand::UserEvent + 403, ///< call data: double[3], new target of the tip, mm
     CompareEvent = vtkCommand::UserEvent + 404,
     ChartsEvent = vtkCommand::UserEvent + 405,
     HistogramEvent = vtkCommand::UserEvent + 406
@@ -92,23 +92,23 @@ public:
     ViewPlane = 1
   };
 
-  /** The session that is steered. Its body must be set before the first movement of the pointer:
-   * the search structure for picking is built then. The structure is used as long as points and
-   * cells are unchanged. */
+  /** The session that is steered. Set its body before the first movement of the pointer, because
+   * that movement builds the search structure for picking. The structure is used as long as points
+   * and cells are unchanged. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
   /** The scene that shows the session. The pointer steers in its renderer. */
   void SetScene(vtkContactScene* scene);
   vtkContactScene* GetScene();
   ///@{
-  /** Optional: the object that writes the pictures and records of the keys p and k. */
+  /** Optional: the object that writes the pictures (key p) and the records (key k). */
   void SetFiles(vtkSessionFiles* files);
   vtkSessionFiles* GetFiles();
   ///@}
 
   ///@{
   /**
-   * The device of the session that the pointer moves, by its index, at most the last. The hand
+   * Index of the device that the pointer moves. A larger index means the last device. Each hand
    * keeps its wheel depth and tilt while another hand is moved. Default 0.
    */
   void SetHand(int hand);
@@ -116,7 +116,7 @@ public:
   ///@}
 
   ///@{
-  /** How the pointer moves the tool, see above. Default Surface. */
+  /** How the pointer moves the tool (see the description of the class). Default Surface. */
   vtkSetClampMacro(Steering, int, Surface, ViewPlane);
   vtkGetMacro(Steering, int);
   void SetSteeringToSurface() { this->SetSteering(Surface); }
@@ -124,18 +124,19 @@ public:
   ///@}
 
   ///@{
-  /** Depth pressed by the left button if the wheel does not press, mm, 0 to MaximumDepth.
+  /** Depth that the left button presses, mm, 0 to MaximumDepth. Not used while the wheel presses.
    * Default 1. */
   void SetPressDepth(double depth);
   vtkGetMacro(PressDepth, double);
   ///@}
   ///@{
-  /** Depth pressed by the wheel alone, mm, 0 to MaximumDepth; 0 (default): the tool hovers. */
+  /** Depth that the wheel presses without a button, mm, 0 to MaximumDepth. 0 (default): the tool
+   * hovers. */
   void SetWheelDepth(double depth);
   double GetWheelDepth() const;
   ///@}
   ///@{
-  /** Default 2 mm. */
+  /** Largest depth that button and wheel press, mm. Default 2. */
   vtkSetMacro(MaximumDepth, double);
   vtkGetMacro(MaximumDepth, double);
   ///@}
@@ -146,9 +147,9 @@ public:
   ///@}
 
   /**
-   * Tilt of the tool against the normal, in degrees to the right of the picture and away from the
-   * viewer, each within 60. A change takes effect with the next movement. Default 0, 0: the axis is
-   * not set, and the tool stands along the normal.
+   * Tilt of the tool against the normal, degrees: to the right of the picture, and away from the
+   * viewer. Each is from -60 to 60. A change takes effect with the next movement. Default 0, 0: the
+   * axis is not set, and the tool is along the normal.
    */
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
@@ -159,20 +160,20 @@ public:
   void HoverAt(const double point[3], const double normal[3]);
   /** Steers the tip to a point, mm, body frame, on a straight line. */
   void SteerTo(const double tip[3]);
-  /** Steers another device to the last target of the hand, in the same way. */
+  /** Steers another device to the last target of the current hand, in the same way. */
   void SteerAlike(vtkHapticDevice* device) const;
 
-  /** Whether the left button presses the tool at present. */
+  /** Whether the tool is being pressed by the left button. */
   bool IsPressing() const { return this->Pressing; }
 
   /**
-   * Whether the wheel has ever pressed the tool, or moved it away from the viewer. Until then a
-   * window may explain the wheel.
+   * Whether the wheel has ever pressed the tool or moved it away from the viewer. A window can
+   * explain the wheel until this is true.
    */
   bool HasWheelPressed() const { return this->WheelPressed; }
   /**
    * Whether the pointer is next to the body, in the viewport of the scene, while the tool presses.
-   * The tool then keeps its place and its depth; a window should say so.
+   * The tool then keeps its place and its depth. A window should show this to the user.
    */
   bool IsPointerOffBody();
 
@@ -183,7 +184,7 @@ public:
   ///@}
   ///@{
   /**
-   * Text of this list: one line per key, "key<tab>function". Default: the functions of this class.
+   * Text of the list: one line per key, "key<tab>function". Default: the functions of this class.
    */
   void SetKeyHelp(const std::string& text);
   std::string GetKeyHelp() const;
@@ -197,7 +198,7 @@ public:
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
   void OnChar() override;
-  void OnTimer() override {} ///< a frame does not move the camera
+  void OnTimer() override {} ///< frames of the clock do not move the camera
 
 protected:
   vtkInteractorStyleHaptic();
@@ -230,14 +231,15 @@ private:
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  std::vector<palpate::SteeredHand> Hands; ///< the hands steered so far, including Hand
+  /// States of the hands that have been steered so far, including Hand.
+  std::vector<palpate::SteeredHand> Hands;
   int Hand = 0;
   int Steering = Surface;
   double PressDepth = 1.0;
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
-  bool KeepsWheelDepth = false; ///< whether the button was pressed while the wheel pressed
+  bool KeepsWheelDepth = false; ///< whether the wheel pressed when the button was pressed
   bool WheelPressed = false;
   bool OffBody = false; ///< whether the last move found no surface while the tool pressed
 };

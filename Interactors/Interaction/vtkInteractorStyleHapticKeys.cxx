@@ -24,7 +24,7 @@ const std::map<char, unsigned long> KeyEvents = { { ' ', vtkInteractorStyleHapti
   { 't', vtkInteractorStyleHaptic::HistogramEvent } };
 } // namespace
 
-/// The functions of mouse and keys, as shown by KeyHelp.
+/// Returns the text for KeyHelp: the functions of mouse and keys.
 const char* vtkInteractorStyleHaptic::OwnKeys()
 {
   return "? or h\tthis help, on and off\n"
@@ -75,7 +75,8 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(found->second);
     return true;
   }
-  // X reports the key without Shift: / and = are the keys of ? and + on an American keyboard.
+  // X reports the key without Shift. On an American keyboard / is the key of ?, and = is the key of
+  // +.
   using Style = vtkInteractorStyleHaptic;
   static const std::map<char, void (*)(Style&)> actions = {
     { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },
@@ -139,7 +140,7 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
   return true;
 }
 
-/// Changes to the next hand that a pointer can move; no change if there is no other.
+/// Changes to the next hand that a pointer can move. No change if there is no other such hand.
 void vtkInteractorStyleHaptic::TakeNextHand()
 {
   const int count = this->Session ? this->Session->GetNumberOfDevices() : 1;

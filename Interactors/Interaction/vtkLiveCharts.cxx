@@ -88,8 +88,8 @@ void vtkLiveCharts::Update()
   {
     return;
   }
-  // GetLastTicks is called first, since it may collect ticks: curves and running point must belong
-  // to the same tick.
+  // GetLastTicks is called first, because it may collect ticks. Curves and running point must
+  // belong to the same tick.
   const bool runs = kept.session->GetState() != vtkHapticSession::Stopped;
   const palpate::TickHistory& ticks = kept.session->GetRecorder()->GetLastTicks();
   if (kept.run != kept.session->GetNumberOfStarts())
@@ -105,7 +105,7 @@ void vtkLiveCharts::Update()
   }
   kept.seen = ticks.added();
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
-  std::string error; // the running session has already reported it
+  std::string error; // not reported: the running session has already reported this error
   kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
   kept.way.show(kept.time.now());
   kept.showCurves(now, error);

@@ -19,14 +19,14 @@
  * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the
  *   servo thread's ticks (µs), both axes logarithmic. Empty in virtual time.
  *
- * The first ranges of the axes are chosen once from the responses: their range of deflection, and
- * the force at half of it; or they are set by SetLargestDeflection and SetLargestForce. An axis
- * grows in round steps as soon as a drawn value is larger. It shrinks if for 3 s all drawn values
- * have been below a third of it. ResetRanges chooses again.
+ * The initial ranges of the axes are set by SetLargestDeflection and SetLargestForce, or chosen
+ * once from the responses: their range of deflection, and the force at half of that range. An axis
+ * grows in round steps as soon as a drawn value exceeds it. It shrinks if for 3 s all drawn values
+ * have been below a third of it. ResetRanges chooses the ranges again.
  *
  * Without a session, ShowTip shows the tips of a probe's output or a recording in the same way.
  *
- * Cost of an Update: 0.1 µs per tick since the last one, and tables of at most a few thousand
+ * Cost of an Update: 0.1 µs per tick since the last Update, and tables of at most a few thousand
  * numbers, independent of the length of the session and the size of the body. An Update never waits
  * for the servo thread and takes no lock. Only the thread of the session may call it.
  *
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * The renderer of the charts. The charts set its background and handle no events. Null: no
-   * renderer.
+   * The renderer of the charts. The charts set its background and handle no events. Null removes
+   * the charts from their renderer.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -71,9 +71,9 @@ public:
 
   ///@{
   /**
-   * The session to show. If its recorder's HistorySeconds is less than Duration, it is set to
-   * Duration, which takes effect at the next Start of the session. The charts adopt changes of the
-   * session's body and ResponseName.
+   * The session to show. If the HistorySeconds of its recorder are less than Duration, they are set
+   * to Duration; this takes effect at the next Start of the session. The charts follow changes of
+   * the session's body and ResponseName.
    */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
@@ -82,26 +82,26 @@ public:
   void Update();
 
   ///@{
-  /** Body and prefix of the response for ShowTip. Default none, "Response". */
+  /** Body and prefix of the response for ShowTip. Default: no body, and "Response". */
   void SetBody(vtkPolyData* body);
   void SetResponseName(const std::string& name);
   ///@}
   /**
-   * Shows tip `index` of a probe's output or a recording over the body of SetBody, with the tips
-   * before it as history. The chart over time needs an array `Time`. Returns false, after an error,
-   * if there is no such tip, or the probe's arrays or the response are missing.
+   * Shows tip `index` of a probe's output, or of a recording, on the body of SetBody. The tips
+   * before it are the history. The chart over time needs an array `Time`. Returns false, after an
+   * error, if there is no such tip, or if the probe's arrays or the response are missing.
    */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
   /**
-   * Shows a histogram of vtkHapticRecorder::GetTimingHistogram, of any run. Returns false, after an
-   * error, if a column is missing.
+   * Shows a histogram from vtkHapticRecorder::GetTimingHistogram of any run. Returns false, after
+   * an error, if a column is missing.
    */
   bool ShowTimingHistogram(vtkTable* histogram);
 
   ///@{
   /**
-   * Responses of the body to compare by their curves at the contact. The default label is the tool
+   * Responses of the body whose curves are compared at the contact. The default label is the tool
    * of the response. Default none: the curves of the triangle's corners are shown.
    */
   void AddComparedResponse(const std::string& name, const std::string& label);
@@ -110,7 +110,7 @@ public:
   ///@}
 
   ///@{
-  /** Which charts are shown. Default: all but the histogram. */
+  /** Which charts are shown. Default: all except the histogram. */
   void SetTimeVisibility(bool visible);
   bool GetTimeVisibility();
   void SetDeflectionVisibility(bool visible);
@@ -128,7 +128,8 @@ public:
   ///@}
 
   ///@{
-  /** Initial ends of the axes, N and mm. Default 0: chosen from the responses, see above. */
+  /** Initial ends of the axes, N and mm. Default 0: chosen from the responses (see the description
+   * of the class). */
   void SetLargestForce(double force);
   double GetLargestForce();
   void SetLargestDeflection(double deflection);
@@ -138,7 +139,7 @@ public:
   void ResetRanges();
 
   ///@{
-  /** The charts. The tables of their plots hold the plotted data. */
+  /** The charts. The tables of their plots contain the plotted data. */
   vtkChartXY* GetTimeChart();
   vtkChartXY* GetDeflectionChart();
   vtkChartXY* GetCurvesChart();

@@ -25,13 +25,13 @@ using Vector = Eigen::Vector3d;
 namespace
 {
 constexpr double StepAngle = 0.25 * 3.14159265358979323846 / 180.0;
-constexpr double LargestLeap = 10.0; // mm
-constexpr double RestTime = 0.25;    // time of rest after pressing and before lifting, s
-// Fraction of the body's size; a ray through an edge then hits the edge.
+constexpr double LargestLeap = 10.0; // mm, largest distance between neighbouring points
+constexpr double RestTime = 0.25;    // s, rest after pressing and before lifting
+// As a fraction of the body's size. The tolerance makes a ray through an edge hit the edge.
 constexpr double EdgeTolerance = 1e-8;
 
-/// Returns the unit directions of the path: the given ones, and intermediate directions at equal
-/// steps.
+/// Returns the unit directions of the path: the given directions, and intermediate directions in
+/// equal steps.
 std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
 {
   std::vector<Vector> directions;
@@ -106,7 +106,7 @@ int vtkPressPath::RequestData(
 
 bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& footprints)
 {
-  vtkNew<vtkPolyData> shallow; // a copy, since a locator builds links in it
+  vtkNew<vtkPolyData> shallow; // a copy, because a locator builds links in it
   shallow->ShallowCopy(body);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(shallow);
@@ -140,7 +140,8 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
     vtkTriangle::ComputeNormal(corner[0], corner[1], corner[2], foot.normal.data());
     if (foot.normal.dot(direction) < 0.0)
     {
-      foot.normal = -foot.normal; // the first surface seen from outside faces outward
+      // Turn the normal outward, since the ray comes from outside the body.
+      foot.normal = -foot.normal;
     }
     if (!footprints.empty())
     {

@@ -7,12 +7,12 @@
  * s) and `Inward` (double 3, the direction of pressing), for vtkHapticDevice::SetPath or
  * vtkToolContactProbe.
  *
- * The places to visit are given by directions from Center. From outside the body, each direction is
- * followed inward to the first surface. With several directions, the path passes from each
- * direction to the next through intermediate directions. At the first place the tip moves at
- * PressSpeed from Approach mm above the surface straight down to Depth below it, and rests. Then it
- * slides at SlideSpeed at constant Depth. At the last place it rests and lifts off. With one
- * direction it presses, rests and lifts off.
+ * The places to visit are given by directions from Center. A ray from outside the body towards
+ * Center gives the first surface along each direction. With several directions, the path goes from
+ * each direction to the next through intermediate directions. At the first place the tip moves at
+ * PressSpeed along the direction of pressing, from the height Approach above the surface to Depth
+ * below it, and rests. Then it slides at SlideSpeed at constant Depth. At the last place it rests
+ * and lifts off. With one direction it presses, rests and lifts off.
  *
  * The direction of pressing is the surface normal, averaged over SmoothingLength of the path, like
  * the direction in which a hand holds the tool. On a rough surface, the depth along this direction
@@ -53,7 +53,7 @@ public:
   ///@}
 
   ///@{
-  /** The directions to visit, of any length except zero. Neighbouring directions must not be
+  /** The directions to visit, of any length except zero. Consecutive directions must not be
    * opposite. */
   void AddDirection(double x, double y, double z);
   void RemoveAllDirections();

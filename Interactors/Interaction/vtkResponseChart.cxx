@@ -26,7 +26,7 @@ constexpr int AxisTitleSize = 17;
 constexpr int LabelSize = 15;
 constexpr float LineWidth = 3.0F;
 
-/// Largest finite value of a column.
+/// Returns the largest finite value of a column.
 double largestIn(vtkTable* table, vtkIdType column)
 {
   double largest = 0.0;
@@ -38,7 +38,8 @@ double largestIn(vtkTable* table, vtkIdType column)
   return largest;
 }
 
-/// Deflection and bounds of the force, from the rows of `table` that have bounds.
+/// Returns a table with deflection and bounds of the force, from the rows of `table` that have
+/// bounds.
 vtkSmartPointer<vtkTable> bandOf(vtkTable* table)
 {
   auto band = vtkSmartPointer<vtkTable>::New();
@@ -59,7 +60,7 @@ vtkSmartPointer<vtkTable> bandOf(vtkTable* table)
   return band;
 }
 
-/// Rows of `table` with deflection in [low, high].
+/// Returns the rows of `table` whose deflection is in [low, high].
 vtkSmartPointer<vtkTable> rowsBetween(vtkTable* table, double low, double high)
 {
   auto part = vtkSmartPointer<vtkTable>::New();

@@ -31,13 +31,14 @@ void vtkSessionFiles::SetWindow(vtkRenderWindow* window)
 std::string vtkSessionFiles::FreeName(const char* ending)
 {
   const std::filesystem::path folder(this->OutputFolder);
-  std::error_code ignored; // an error here is reported when the file is written
+  std::error_code ignored; // not used: an error is reported when the file is written
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
   const auto isTaken = [&ignored](const std::filesystem::path& path)
   {
     return std::filesystem::exists(path, ignored) ||
-      std::filesystem::exists(path.string() + ".part", ignored); // left over from a full disk
+      // Remains after a write to a full disk.
+      std::filesystem::exists(path.string() + ".part", ignored);
   };
   for (int number = 1; name.empty() || isTaken(name); ++number)
   {
@@ -85,7 +86,8 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
     vtkErrorMacro(<< "There is no record to write: call StartRecording.");
     return {};
   }
-  this->Session->GetRecorder()->GetTape(); // collects the newly recorded ticks
+  // Collects the newly recorded ticks before the tape stops.
+  this->Session->GetRecorder()->GetTape();
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
   const std::string error = palpate::writeTrajectory(name, this->Tape->ticks());

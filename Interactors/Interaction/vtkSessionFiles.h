@@ -45,12 +45,13 @@ public:
 
   /** The session to record. */
   void SetSession(vtkHapticSession* session);
-  /** The window of the pictures. */
+  /** The window whose pictures are written. */
   void SetWindow(vtkRenderWindow* window);
 
   ///@{
   /**
-   * Folder of files without a given name. It is created when needed. Default: the current folder.
+   * Folder for files without a given name. It is created if it does not exist. Default: the current
+   * folder.
    */
   vtkSetMacro(OutputFolder, std::string);
   vtkGetMacro(OutputFolder, std::string);
@@ -62,18 +63,18 @@ public:
   ///@}
 
   /**
-   * Writes a picture of the window as a .png file. With "" the file has an automatic name. Returns
-   * the name of the file, or "" after an error.
+   * Writes a picture of the window as a .png file. If `fileName` is "", the file gets an automatic
+   * name. Returns the name of the file, or "" after an error.
    */
   std::string WritePicture(const std::string& fileName = std::string());
 
   ///@{
   /**
-   * StartRecording begins to store all ticks. WriteRecording writes them; with "" the file has an
-   * automatic name. It returns the name of the file, or "" after an error. StartRecording returns
-   * false, after an error, if the session's recorder had no HistorySeconds at its Start.
-   * HistorySeconds must cover a few frames; 1 is more than enough. ToggleRecording starts or
-   * writes.
+   * StartRecording begins to store all ticks. It returns false, after an error, if the session's
+   * recorder had no HistorySeconds at its Start. HistorySeconds must cover a few frames; 1 s is
+   * more than enough. WriteRecording writes the stored ticks to a file. If `fileName` is "", the
+   * file gets an automatic name. It returns the name of the file, or "" after an error.
+   * ToggleRecording starts a recording, or writes the running one.
    */
   bool StartRecording();
   std::string WriteRecording(const std::string& fileName = std::string());
@@ -96,8 +97,8 @@ private:
 
   vtkSmartPointer<vtkHapticSession> Session;
   vtkSmartPointer<vtkRenderWindow> Window;
-  std::shared_ptr<palpate::TickTape> Tape; ///< tape of the session's recorder; null before a
-                                           ///< recording
+  /// Tape of the session's recorder; null before a recording.
+  std::shared_ptr<palpate::TickTape> Tape;
   std::string OutputFolder;
   std::string Notice;
 };

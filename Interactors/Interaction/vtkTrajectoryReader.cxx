@@ -23,7 +23,7 @@
 
 namespace
 {
-// Largest number of announced time steps; the steps of a longer recording are larger.
+// Largest number of announced time steps. For a longer recording the time steps are larger.
 constexpr double MostSteps = 1e6;
 
 /// Adds a point array of `count` tuples with the value that `get` returns for each row.
@@ -67,7 +67,7 @@ std::string vtkTrajectoryReader::Read()
   {
     return "A File Name is required";
   }
-  std::error_code missing; // ignored: reading the file will report it
+  std::error_code missing; // ignored: reading the file reports this error
   const auto changed = std::filesystem::last_write_time(this->FileName, missing);
   if (this->Known && this->KnownFile == this->FileName && this->KnownTime == changed)
   {
@@ -96,7 +96,7 @@ int vtkTrajectoryReader::RequestInformation(
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  // A file that cannot be read has no time steps. RequestData reports the error and empties the
+  // A file that cannot be read has no time steps. RequestData reports the error and clears the
   // output.
   if (this->WholePath || !this->Read().empty() || this->Known->rows.empty())
   {
@@ -138,8 +138,8 @@ int vtkTrajectoryReader::RequestData(
   if (!this->WholePath && info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    // The requested time is a sum of periods. Rounding may make it smaller than the time of its
-    // tick.
+    // The requested time is a sum of periods. Because of rounding it may be smaller than the time
+    // of its tick.
     const double last = time + 1e-9 * std::max(1.0, std::abs(time));
     end = std::upper_bound(
       rows.begin(), rows.end(), last, [](double t, const Row& row) { return t < row.time; });

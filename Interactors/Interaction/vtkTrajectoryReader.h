@@ -13,10 +13,10 @@
  * (3, N mm, about the tip). For the device, in its own frame: `DevicePosition` (3, m) and
  * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out.
  *
- * Time: the reader announces time steps over the times of the file, FrameRate per second. The
- * output at a time t ends with the last tip that is not after t, which is the present tip;
- * vtkToolContactProbe, vtkContactDeflection and vtkContactHistory use it. With WholePath, or if no
- * time is requested, the output is the whole path.
+ * Time: the reader announces FrameRate time steps per second over the times of the file. The output
+ * at a time t ends with the last tip whose time is at most t. This is the present tip for
+ * vtkToolContactProbe, vtkContactDeflection and vtkContactHistory. With WholePath, or if no time is
+ * requested, the output is the whole path.
  *
  * Errors: no file, or a file that is not a trajectory. The error names file, line and fault; the
  * output is then empty. Cost: the file is read again when its name or its modification time
@@ -60,21 +60,22 @@ public:
 
   ///@{
   /**
-   * Time steps announced per second, 1 to 10000. (A session has a thousand ticks per second or
-   * more.) Default 25.
+   * Number of announced time steps per second, 1 to 10000. Default 25. (A session has a thousand or
+   * more ticks per second.)
    */
   vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
   vtkGetMacro(FrameRate, double);
   ///@}
 
   ///@{
-  /** Whether the output has all tips at any time. Default off. */
+  /** Whether the output has all tips, whatever time is requested. Default off. */
   vtkSetMacro(WholePath, bool);
   vtkGetMacro(WholePath, bool);
   vtkBooleanMacro(WholePath, bool);
   ///@}
 
-  /** Whether the first line that is not a comment names the columns of a trajectory; 1 or 0. */
+  /** Returns 1 if the first line that is not a comment names the columns of a trajectory, else 0.
+   */
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 
 protected:
@@ -89,7 +90,7 @@ private:
   vtkTrajectoryReader(const vtkTrajectoryReader&) = delete;
   void operator=(const vtkTrajectoryReader&) = delete;
 
-  /// Reads the file. Returns "" or an error.
+  /// Reads the file. Returns "" or an error message.
   std::string Read();
 
   char* FileName = nullptr;

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/** Names the filter that makes a body of other data. */
+/** Returns the name of the filter that makes a body from data of another type. */
 std::string advice(vtkDataObject* data)
 {
   struct Advice
@@ -137,7 +137,7 @@ void BodyBlocks::addTree(vtkDataObjectTree* tree, const std::string& name)
   child.TakeReference(tree->NewTreeIterator());
   child->VisitOnlyLeavesOff();
   child->TraverseSubTreeOff();
-  child->SkipEmptyNodesOff(); // the blocks then have the same numbers on all ranks
+  child->SkipEmptyNodesOff(); // the numbers of the blocks are then equal on all ranks
   unsigned int number = 0;
   for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++number)
   {

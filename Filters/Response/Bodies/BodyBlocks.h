@@ -34,9 +34,9 @@ class BodyBlocks
 public:
   explicit BodyBlocks(vtkDataObject* input);
 
-  /// The data sets are not owned; they live as long as the input.
+  /// The blocks do not own their data sets, which must live as long as the input.
   const std::vector<BodyBlock>& blocks() const { return this->Blocks; }
-  /// The reason why the input is not a body, and the remedy; "" if it is a body.
+  /// Reason why the input is not a body, and the filter that helps; "" if it is a body.
   const std::string& fault() const { return this->Fault; }
 
 private:

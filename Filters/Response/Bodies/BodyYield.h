@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The compliance of a body as a whole, found from its closed surface, for the law of a tool on a
- * half-space in series with it. The module Solids computes it.
+ * Finds the compliance of a whole body from its closed surface. This compliance is in series with
+ * the law of a tool on a half-space. The module Solids computes it.
  */
 #ifndef BodyYield_h
 #define BodyYield_h
@@ -18,13 +18,14 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Material, support and mesh of the body, in addition to its surface. See vtkBodyCompliance.
+/// Input of findYield in addition to the surface: material, support and mesh of the body. See
+/// vtkBodyCompliance.
 struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
-  double radius = 2.0; ///< radius of the contact for which the compliance is exact, mm
-  std::string fixed;   ///< FixedFaces; "": the side on which the body stands best
+  double radius = 2.0; ///< radius of the contact for which the compliance is computed, mm
+  std::string fixed;   ///< FixedFaces; "": the side on which the body rests most stably
   int cells = 12000;   ///< approximate upper limit of the number of finite elements
 };
 
@@ -40,8 +41,8 @@ struct BodyYield
   std::vector<double> compliance;    ///< mm/N; empty after an abort
   std::vector<double> error;         ///< mm/N, >= 0
   std::vector<unsigned char> status; ///< 0: the compliance is known
-  /// Motion of the surface under a force (GlobalModes.h): the modes one after another, 3 numbers
-  /// per point, sqrt(mm/N), and the sign of each mode. Used by displays only.
+  /// Motion of the surface under a force (GlobalModes.h). `modes`: one mode after another, 3
+  /// numbers per point, sqrt(mm/N). `signs`: the sign of each mode. Used by displays only.
   std::vector<float> modes;
   std::vector<signed char> signs;
   std::string heldAt;                ///< the sides at which the body is held
@@ -56,8 +57,8 @@ struct YieldModule : ModuleTable
 };
 
 /// Finds the compliance of a body, which must be the body() of a SoundBody. `made` is empty if
-/// `goOn(fraction of the work)` returned false. Returns "", or a message about the fault: the
-/// module is missing, or the body cannot be filled or held. Cost: vtkBodyCompliance.
+/// `goOn(fraction of the work)` returned false. Returns "" or an error message: the module is
+/// missing, or the body cannot be filled or held. Cost: see vtkBodyCompliance.
 PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldRequest& request,
   const std::function<bool(double)>& goOn, BodyYield& made);
 

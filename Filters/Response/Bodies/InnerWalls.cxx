@@ -22,14 +22,15 @@ namespace
 using Corner = std::array<double, 3>;
 
 /**
- * Hash of bytes. Two hashes with different start values make a collision practically impossible.
+ * Hash of bytes. If two hashes with different start values are compared, a collision is practically
+ * impossible.
  */
 std::uint64_t mix(std::uint64_t hash, const void* data, std::size_t size)
 {
   const auto* bytes = static_cast<const unsigned char*>(data);
   for (std::size_t i = 0; i < size; ++i)
   {
-    hash = (hash ^ bytes[i]) * 1099511628211ULL; // Fowler, Noll and Vo
+    hash = (hash ^ bytes[i]) * 1099511628211ULL; // prime of the FNV hash by Fowler, Noll and Vo
   }
   return hash ^ (hash >> 29);
 }
@@ -50,8 +51,8 @@ struct KeyHash
 };
 
 /**
- * Makes a key of the corners of a polygon and of the block's name. It does not depend on the corner
- * at which the polygon begins.
+ * Makes a key from the corners of a polygon and the name of the block. The key does not depend on
+ * the corner at which the polygon begins.
  */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
 {
@@ -61,7 +62,7 @@ Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std
     surface->GetPoint(ids[i], corners[i].data());
     for (double& c : corners[i])
     {
-      c += 0.0; // turns -0 into 0
+      c += 0.0; // turns -0 into 0, so that equal coordinates have equal bytes
     }
   }
   std::sort(corners.begin(), corners.end());
@@ -104,7 +105,8 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      withoutGhosts->RemoveGhostCells(); // faces of ghost cells are the walls of structured pieces
+      // Removes the walls of structured pieces, which are faces of ghost cells.
+      withoutGhosts->RemoveGhostCells();
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
       all.insert(all.end(), own[i].begin(), own[i].end());

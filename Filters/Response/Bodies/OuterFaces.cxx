@@ -30,7 +30,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double RoundedApart = 1e-6; // fraction of the diagonal: points this close are one point
+/// Fraction of the diagonal: points closer than this are merged.
+constexpr double RoundedApart = 1e-6;
 
 bool isStructured(vtkDataSet* data)
 {
@@ -45,8 +46,8 @@ Vector3d placeOf(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Six times the volume enclosed by the faces of a cell, from fans over their corners. Negative if
-/// the cell winds inward.
+/// Six times the volume enclosed by the faces of a cell. Each face is divided into a fan of
+/// triangles. The volume is negative if the cell winds inward.
 double sixfoldVolume(vtkCell* cell)
 {
   const Vector3d origin = placeOf(cell->GetPoints(), 0);
@@ -54,7 +55,8 @@ double sixfoldVolume(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* face = cell->GetFace(i);
-    const int corners = face->GetNumberOfEdges(); // edge midpoints follow the corners
+    // A face has as many edges as corners; edge midpoints follow the corners.
+    const int corners = face->GetNumberOfEdges();
     const bool isPixel = face->GetCellType() == VTK_PIXEL;
     const auto corner = [&](int k) -> Vector3d // corners in order around the face
     { return placeOf(face->GetPoints(), isPixel && k > 1 ? 5 - k : k) - origin; };
@@ -80,7 +82,7 @@ std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
 std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
-  std::vector<std::pair<std::size_t, vtkIdType>> order; // sorted by hash
+  std::vector<std::pair<std::size_t, vtkIdType>> order; // hash and cell, sorted by hash
   order.reserve(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -107,11 +109,11 @@ std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
   return isRepeated;
 }
 
-/// Three-dimensional cells, each once, with the number of cells for each winding.
+/// The three-dimensional cells without repeated ones, and the number of cells of each winding.
 struct SolidCells
 {
   vtkNew<vtkIdList> all;
-  vtkIdType repeated = 0; ///< number of cells left out, since earlier cells have the same points
+  vtkIdType repeated = 0; ///< number of cells left out, because an earlier cell has the same points
   vtkIdType positive = 0;
   vtkIdType firstPositive = -1;
   vtkIdType negative = 0;
@@ -198,15 +200,16 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputConnection(source->GetOutputPort());
-  surface->DelegationOff(); // with delegation the order of points depends on the number of threads
+  // With delegation, the order of points would depend on the number of threads.
+  surface->DelegationOff();
   surface->Update();
   notes.push_back(joined("surface extracted from ", volume->GetNumberOfCells(), " cells"));
   if (!isStructured(data))
   {
     return surface->GetOutput();
   }
-  // The six sides of a structured grid have separate points along the edges where they meet. A grid
-  // that closes around an axis also has separate points where it meets itself.
+  // Along the edges of a structured grid, its sides have separate points at the same place. A grid
+  // that closes around an axis also has separate points at the seam. Merge these points.
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface->GetOutput());
   clean->ToleranceIsAbsoluteOn();

@@ -36,7 +36,7 @@ Vector3d cornerAt(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Twice the area of a polygon, along its normal.
+/// Returns a vector along the normal of a polygon whose length is twice the area.
 Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));
@@ -49,7 +49,8 @@ Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
   return sum;
 }
 
-/// Triangles that cover a polygon, three corners each; empty if none are found.
+/// Returns triangles that cover a polygon, three corners each. Returns an empty list if none are
+/// found.
 std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
 {
   vtkNew<vtkPolygon> cell;
@@ -65,7 +66,8 @@ std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
     }
     return found;
   }
-  // For polygons that meet themselves, such as a ring that is cut open along a line.
+  // This second method can cut polygons that touch themselves, such as a ring that is cut open
+  // along a line.
   vtkNew<vtkCellArray> cells;
   vtkContourTriangulator::TriangulatePolygon(polygon, points, cells);
   vtkIdType count = 0;
@@ -88,12 +90,12 @@ bool covers(const std::vector<vtkIdType>& triangles, vtkPoints* points, const Ve
              .cross(cornerAt(points, triangles[i + 2]) - first)
              .norm();
   }
-  // 1 %: a polygon of a scan is seldom flat.
+  // The tolerance is 1 %, because polygons of a scan are seldom flat.
   return std::abs(sum - area.norm()) <= 0.01 * area.norm();
 }
 
-/// Removes corners that repeat the previous one, since a triangulator terminates the program at
-/// them.
+/// Removes corners that repeat the previous corner. VTK's triangulator terminates the program if a
+/// corner is repeated.
 void dropRepeatedCorners(vtkIdList* polygon)
 {
   vtkIdType kept = 0;
@@ -113,7 +115,7 @@ void dropRepeatedCorners(vtkIdList* polygon)
   polygon->SetNumberOfIds(kept);
 }
 
-/// Whether parts of a polygon's area cancel, since its sides cross.
+/// Whether parts of a polygon's area cancel each other, because its sides cross.
 bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));
@@ -127,7 +129,7 @@ bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
   return area.norm() < 1e-6 * sum;
 }
 
-/// Cuts each polygon separately, for surfaces with polygons that the filter drops.
+/// Cuts each polygon separately. Used for surfaces with polygons that the VTK filter drops.
 vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
 {
   vtkPoints* points = surface->GetPoints();
@@ -142,7 +144,8 @@ vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
       polygon->GetNumberOfIds() < 3 ? Vector3d::Zero().eval() : areaOf(points, polygon);
     const std::vector<vtkIdType> triangles =
       area.isZero(0.0) ? std::vector<vtkIdType>() : trianglesOf(points, polygon);
-    // Four corners can be cut in two ways. Both are right, even if the polygon is not flat.
+    // A polygon of four corners can be cut in two ways. Both are valid, even if the polygon is not
+    // flat.
     const bool isCut = polygon->GetNumberOfIds() > 4 ? covers(triangles, points, area)
                                                      : area.isZero(0.0) || !triangles.empty();
     if (polygon->GetNumberOfIds() > 3 && (!isCut || cancelsOut(points, polygon, area)))

@@ -24,19 +24,20 @@ namespace palpate
 {
 namespace
 {
-/// Pass band of the smoothing on a lattice as fine as the scan. It removes the traces of voxels,
-/// waves of up to about ten spacings, and keeps longer waves.
+/// Pass band of the smoothing, for a lattice as fine as the scan. The smoothing removes traces of
+/// voxels (waves of up to about ten spacings) and keeps longer waves.
 constexpr double PassBand = 0.02;
-constexpr float Clearance = 0.005F; // see keepClearOfVoxels
+/// Fraction of the step from contour value to tissue; see keepClearOfVoxels.
+constexpr float Clearance = 0.005F;
 
-/** A fraction of a stage. */
+/** Returns the stage for a fraction of the work of `stage`. */
 FilterStage part(const FilterStage& stage, double from, double to)
 {
   const double length = stage.to - stage.from;
   return { stage.filter, stage.from + from * length, stage.from + to * length };
 }
 
-/** The scan as an image whose coordinates are index times spacing. */
+/** Returns the scan as an image. Its coordinates are index times spacing. */
 vtkSmartPointer<vtkImageData> asImage(SkinScan& scan)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -49,7 +50,7 @@ vtkSmartPointer<vtkImageData> asImage(SkinScan& scan)
   return image;
 }
 
-/** Size of a lattice with a spacing of about `resolution` over the same box; 0 = unchanged. */
+/** Size of a lattice over the same box with a spacing of about `resolution`; 0 keeps the size. */
 std::array<int, 3> resampledSize(const SkinScan& scan, double resolution)
 {
   std::array<int, 3> size = scan.size;
@@ -62,8 +63,9 @@ std::array<int, 3> resampledSize(const SkinScan& scan, double resolution)
 }
 
 /**
- * Moves grey levels away that are closer to the contour value than a small fraction of the step
- * from air to tissue. Voxels exactly at the contour value would give triangles without area.
+ * Moves each grey level that is too close to the contour value away from it, to a distance of
+ * Clearance times the step from contour to tissue. Voxels exactly at the contour value would give
+ * triangles without area.
  */
 void keepClearOfVoxels(vtkImageData* image, float contour, float tissue)
 {
@@ -104,9 +106,10 @@ vtkSmartPointer<vtkPolyData> contourOf(
 }
 
 /**
- * Sets the window for which PassBand was chosen: it leaves 3 % of waves of 8 spacings. Before March
- * 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no other window. Since then Nuttall's window
- * is the default. It needs more iterations for the same result, and leaves 54 %.
+ * Sets Hamming's window, for which PassBand was chosen. With this window, waves of 8 spacings keep
+ * 3 % of their amplitude. Before March 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no
+ * other window. Since then Nuttall's window is the default. With it, more iterations are needed for
+ * the same result, and the waves keep 54 %.
  */
 template <typename TFilter>
 auto useHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -118,7 +121,7 @@ void useHamming(TFilter*, long)
 {
 }
 
-/** Runs VTK's windowed-sinc filter. Smooth corrects the scale of the result. */
+/** Runs VTK's windowed-sinc filter. The function smooth corrects the scale of the result. */
 bool smoothRaw(vtkPolyData* surface, int iterations, double passBand, FilterStage stage)
 {
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
@@ -197,11 +200,11 @@ bool orient(vtkPolyData* surface, vtkImageData* image, FilterStage stage)
 {
   const double* spacing = image->GetSpacing();
   const double handedness = image->GetDirectionMatrix()->Determinant() * spacing[0] * spacing[1] *
-    spacing[2]; // flying edges wind outward in a right-handed lattice
+    spacing[2]; // flying edges give outward triangles in a right-handed lattice
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(surface);
   reverse->SetReverseCells(handedness < 0.0);
-  // vtkPolyDataNormals is not used, since it sums in the order of the threads.
+  // vtkPolyDataNormals is not used, because its order of summation depends on the threads.
   vtkNew<vtkTriangleMeshPointNormals> normals;
   normals->SetInputConnection(reverse->GetOutputPort());
   const bool done = runWithin(normals, stage);
@@ -235,8 +238,8 @@ vtkSmartPointer<vtkPolyData> contourSkin(
   }
   const double coarser =
     std::cbrt(1.0 * static_cast<double>(scan.values.size()) / lattice->GetNumberOfPoints());
-  const double passBand = PassBand * std::min(1.0, coarser * coarser); // removes waves of the same
-                                                                       // length in mm
+  // On a finer lattice a smaller pass band removes the same wavelengths in mm.
+  const double passBand = PassBand * std::min(1.0, coarser * coarser);
   if (!smooth(surface, wanted.iterations, passBand, part(stage, 0.6, 0.93)))
   {
     return nullptr;

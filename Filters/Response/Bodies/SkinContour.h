@@ -13,14 +13,14 @@ class vtkImageData;
 
 namespace palpate
 {
-/// The contour of a scan, and its smoothing.
+/// Settings of the contour and of its smoothing.
 struct SkinContour
 {
   float value = 0.0F;      ///< grey level of the contour
   float tissue = 0.0F;     ///< a typical grey level of tissue, above `value`
-  double resolution = 0.0; ///< spacing of the lattice that is contoured, mm; 0: that of the scan
-  int iterations = 20;     ///< of the smoothing, which removes the traces of voxels; 0: none
-  bool isLargest = true;   ///< whether the regions other than the largest are left out
+  double resolution = 0.0; ///< spacing of the contoured lattice, mm; 0: spacing of the scan
+  int iterations = 20;     ///< of the smoothing that removes the traces of voxels; 0: no smoothing
+  bool isLargest = true;   ///< whether only the largest region is kept
 };
 
 /// Returns the contour with outward normals, in the coordinates of `placed`, whose extent has the

@@ -53,7 +53,7 @@ SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float a
     wide.size[axis] += 2 * margin[axis];
   }
   wide.values.assign(static_cast<std::size_t>(wide.size[0]) * wide.size[1] * wide.size[2], air);
-  const int first = std::max(0, -margin[0]); // first voxel of each row of the scan that is kept
+  const int first = std::max(0, -margin[0]); // first voxel that is kept in each row of the scan
   const int count = std::min(scan.size[0], wide.size[0]);
   for (vtkIdType k = 0; k < scan.size[2]; ++k)
   {
@@ -82,7 +82,7 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   const vtkIdType X = scan.size[0];
   const vtkIdType Y = scan.size[1];
   const vtkIdType Z = scan.size[2];
-  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x
+  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x, for the present w
   auto lengthen = [&extrema, pick, X](vtkIdType row, vtkIdType end)
   {
     std::vector<float> shorter(X);

@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// The triangles of a surface as plain numbers.
+/// The triangles of a surface as arrays of numbers.
 struct PlainSurface
 {
   std::vector<std::int32_t> triangles;
@@ -41,7 +41,8 @@ struct PlainSurface
   }
 };
 
-/// The defects of the last surfaces that needed no repair, by their content.
+/// Key of a recent surface that needed no repair: hashes of its content. The cache stores the
+/// defects.
 using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
 
 RecentValues<SoundKey, MeshDefects>& soundSurfaces()
@@ -51,8 +52,8 @@ RecentValues<SoundKey, MeshDefects>& soundSurfaces()
   return recent;
 }
 
-/// Returns a surface of the given triangles with their cell arrays. Each corner is replaced by its
-/// firstOf.
+/// Returns a surface of the given triangles with their cell arrays. `firstOf` replaces each corner
+/// by the first point at its place.
 template <class First>
 vtkSmartPointer<vtkPolyData> withTriangles(
   vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)

@@ -18,8 +18,8 @@ namespace palpate
 class Ranks;
 
 /**
- * A body as laws, display and mesher use it: the triangles of a SoundMesh on the points of the
- * input. Points of the input that coincide are represented by the first of them.
+ * A body as it is used by laws, display and mesher: the triangles of a SoundMesh on the points of
+ * the input. If several points of the input coincide, the first of them represents the others.
  */
 class PALPATERESPONSE_EXPORT SoundBody
 {
@@ -33,8 +33,8 @@ public:
   /// The input may have no points.
   explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole);
 
-  /// The reason why the input is not a body (checkTriangles, SoundMesh), or "". In case of a fault
-  /// body() is null.
+  /// Reason why the input is not a body (checkTriangles, SoundMesh), or "". With a fault body() is
+  /// null.
   const std::string& fault() const { return this->Fault; }
   /// The input itself if nothing was repaired; otherwise a copy that shares its points and point
   /// arrays.
@@ -43,21 +43,22 @@ public:
 
   /// Number of points that are represented by another point.
   vtkIdType joinedPoints() const { return static_cast<vtkIdType>(this->Found.joinedPoints); }
-  /// The first point at the place of `point`.
+  /// Returns the first point at the place of `point`.
   vtkIdType firstAt(vtkIdType point) const
   {
     return this->First.empty() ? point : this->First[static_cast<std::size_t>(point)];
   }
 
-  /// Restores an output that was made from body(): it gets the triangles and cell arrays of the
-  /// input, and points that are represented by another point get the values of that point. Arrays
+  /// Restores an output that was made from body(). The output gets the triangles and cell arrays of
+  /// the input. A point that is represented by another point gets the values of that point. Arrays
   /// of the input keep their values.
   void giveBack(vtkPolyData* output) const;
 
 private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Body;
-  std::vector<std::int32_t> First; ///< empty: no points coincide
+  /// First point at the place of each point; empty: no points coincide.
+  std::vector<std::int32_t> First;
   MeshDefects Found;
   std::string Fault;
 };

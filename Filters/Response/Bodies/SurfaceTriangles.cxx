@@ -86,7 +86,7 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Moves points of the pieces whose places differ by rounding only to one common place. */
+/** Moves points of several pieces that differ by rounding only to one common place. */
 void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
   constexpr double rounding = 1e-5; // fraction of the diagonal
@@ -116,7 +116,7 @@ void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& 
   }
 }
 
-/** Appends volumes without ghost cells, since separate surfaces would have walls at the seams. */
+/** Appends volumes without ghost cells. Separate surfaces would have walls at the seams. */
 vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& given)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // has an effect only if no cell or point is marked as a ghost
+  all->MergePointsOn(); // merges points only if no cell and no point is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);
@@ -235,8 +235,7 @@ void cutSurface(
       std::swap(lost.notFinite, found.notFinite);
       made.loss = describeDefects(lost);
     }
-    found.degenerate = found.nonManifoldEdges = 0; // these remain unchanged, so they are not
-                                                   // reported
+    found.degenerate = found.nonManifoldEdges = 0; // not reported, because they remain unchanged
     const std::string changes = describeDefects(found);
     if (!changes.empty())
     {

@@ -28,7 +28,7 @@ struct SurfaceTriangles
   std::vector<std::string> notes; // changes, each part of a sentence
   std::string loss;               // unused input, for a warning; "" if all is used
   std::string fault;              // the reason why no triangles were made, or ""
-  bool isEmpty = false;           // the only fault is that the input has no triangles
+  bool isEmpty = false;           // whether the only fault is that the input has no triangles
 };
 
 /// Extracts the surface, still with polygons and strips. `wholeExtent`: extent of the pieces of all

@@ -15,33 +15,34 @@
 
 namespace palpate
 {
-/// Makes the correction of a material by finite strain. The value is null after an abort, and for
-/// the linear model.
+/// Makes the finite-strain correction of a material. The value is null after an abort, and for the
+/// linear model.
 using StrainMaker =
   std::function<Checked<std::unique_ptr<StrainCorrection>>(const BodyMaterial&, const StrainLaw&)>;
 
 /**
- * The simplest law that keeps the forces of a request, and the reason as text. Terms are left out
- * one by one (LawTerm::need), as long as together they change the force by no more than
+ * Chooses the simplest law that keeps the forces of a request, and states the reason as text. Terms
+ * are left out one by one (LawTerm::need) as long as their total change of the force is at most
  * request.terms.changeTolerance (TermEffect.h). Finite strain is considered if it is requested, or
- * if Neo-Hooke's tables have the tool.
+ * if the tables of Neo-Hooke contain the tool.
  */
 class AutomaticTerms
 {
 public:
-  /// `shape` is not used without a piece of the body. All arguments must outlive this.
+  /// A rank without a piece of the body does not use `shape`. All arguments must outlive this
+  /// object.
   AutomaticTerms(const Ranks& ranks, vtkPolyData* body, const LawRequest& request,
     const SurfaceShape& shape, BodyMaterial material, StrainMaker makeStrain);
 
-  /// Asks all terms. Collective. Returns "" or an error message.
+  /// Calls LawTerm::need of all terms. Collective. Returns "" or an error message.
   std::string choose();
   /// The reasons as text, "" if no term was considered.
   std::string reason() const;
 
   bool hasPiece() const { return this->pressed.points > 0; }
-  /// The change of the force between two laws, relative; the largest of all ranks.
+  /// Relative change of the force between two laws; the largest value of all ranks.
   double change(const LawModel& whole, const LawModel& less) const;
-  /// A bound of the change by finite strain.
+  /// Upper bound of the relative change of the force by finite strain.
   double bound(const LawModel& model) const;
   bool isNegligible(double change) const { return change <= this->RestOfTolerance; }
   void leaveOut(double change) { this->RestOfTolerance -= change; }
@@ -52,10 +53,11 @@ public:
   const LawRequest& request;
   const PressedBody pressed;
   const StrainMaker makeStrain;
-  // The choice; at first as requested.
+  // The chosen terms and material. Initially those of the request.
   LawTerms terms;
   BodyMaterial material;
-  std::unique_ptr<StrainCorrection> strain; ///< null if small strain was chosen without it
+  /// Correction found during the choice; null if small strain was chosen.
+  std::unique_ptr<StrainCorrection> strain;
 
 private:
   double RestOfTolerance;
@@ -65,7 +67,7 @@ private:
 /// A change of the force as text: "0.8 %".
 PALPATERESPONSE_EXPORT std::string percentOf(double change);
 
-/// The reason that the array Terms of a response stores; "" without the array.
+/// Returns the reason that a response stores in its array Terms; "" without the array.
 PALPATERESPONSE_EXPORT std::string termsReason(vtkPolyData* body, const std::string& responseName);
 } // namespace palpate
 

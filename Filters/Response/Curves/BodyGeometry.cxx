@@ -27,7 +27,7 @@ constexpr std::size_t MostGeometries = 4;
 constexpr std::size_t MostBytesOfGeometries = std::size_t{ 128 } << 20;
 constexpr std::size_t BytesPerPoint = 20;
 
-/// The normals that the body has, 3 numbers per point; empty without normals.
+/// Returns the active point normals of the body, 3 numbers per point. Empty if the body has none.
 std::vector<double> storedNormals(vtkPolyData* body)
 {
   vtkDataArray* stored = body->GetPointData()->GetNormals();
@@ -65,7 +65,7 @@ std::shared_ptr<const BodyGeometry> makeGeometry(vtkPolyData* body, const BodySe
 std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam)
 {
   const bool hasOtherCells = body->GetNumberOfVerts() + body->GetNumberOfLines() > 0;
-  if (!seam.ranks().areAlone() || hasOtherCells) // the key has the triangles only
+  if (!seam.ranks().areAlone() || hasOtherCells) // the cache key contains triangles only
   {
     return makeGeometry(body, seam);
   }

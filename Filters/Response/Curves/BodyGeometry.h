@@ -15,21 +15,21 @@ namespace palpate
 {
 class BodySeam;
 
-/// The parts of a response that depend neither on the tool nor on the material, for this rank's
-/// piece of a body.
+/// Geometry of this rank's piece of a body. It is the part of a response that depends neither on
+/// the tool nor on the material.
 struct BodyGeometry
 {
-  std::vector<float> normals; ///< fillPointNormals()
+  std::vector<float> normals; ///< from fillPointNormals()
   std::vector<unsigned char> status;
   std::unique_ptr<CurvatureBound> bound;
   BodyLengths lengths{ 0.0, 0.0 };
-  std::string fault; ///< of the normals, or ""; then there is no bound
+  std::string fault; ///< error of the normals, or ""; after an error `bound` is null
 };
 
 /// Finds the geometry of a body. Never returns null. Collective.
 ///
-/// The process caches the last geometries of whole bodies by content: points, triangles and normals
-/// of the input; 20 bytes per point, up to 128 MB and 4 bodies. Thread-safe.
+/// A cache of the process keeps recent geometries of whole bodies by content (points, triangles and
+/// normals of the input): 20 bytes per point, up to 128 MB and 4 bodies. Thread-safe.
 std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam);
 } // namespace palpate
 

@@ -29,7 +29,7 @@ namespace palpate
 {
 namespace
 {
-/// All pieces as one surface, joined at their seams, and the indices of the points of this rank's
+/// All pieces as one surface, joined at their seams. `own`: index of each point of this rank's
 /// piece.
 struct WholeSurface
 {
@@ -87,13 +87,13 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
   return whole;
 }
 
-/// The input of a shape.
+/// Key of the cache of shapes: the input from which a shape is made.
 struct ShapeKey
 {
   std::array<std::size_t, 3> surface; ///< hashes of this rank's piece
   double radius;
   bool hasEdges;
-  bool isOfFaces; ///< whether the curvature is that of the faces, without sharp edges
+  bool isOfFaces; ///< whether the curvature is computed from the faces, without sharp edges
 
   bool operator==(const ShapeKey& other) const
   {
@@ -102,8 +102,8 @@ struct ShapeKey
   }
 };
 
-/// A surface, and its parts that do not depend on the contact radius. They are made when they are
-/// needed.
+/// A surface, with those of its data that do not depend on the contact radius. The data are
+/// computed when first used.
 class SharedSurface
 {
 public:
@@ -137,7 +137,7 @@ public:
     return *this->Edges;
   }
 
-  /// An upper limit, with all parts.
+  /// Upper limit of the memory, with all data computed.
   std::size_t bytes() const
   {
     constexpr std::size_t perPoint = 310; // the forms of the faces copy points and normals
@@ -202,7 +202,7 @@ std::shared_ptr<const BodyShape> findShape(
     });
   if (wantsEdges)
   {
-    // Contact radii: at this distance an edge reduces the force by 2 %.
+    // Distance in contact radii. At this distance an edge reduces the force by 2 %.
     constexpr double reach = 40.0;
     made->edges = std::make_unique<EdgeDistance>(shared->edges(), a, reach * a);
   }

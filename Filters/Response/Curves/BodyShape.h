@@ -21,10 +21,9 @@ class Ranks;
 /// Curvature and edges of this rank's piece of a body. A member that was not requested is null.
 struct BodyShape
 {
-  std::unique_ptr<SurfaceCurvature> curvature; ///< curvature of the whole body; null if not
-                                               ///< requested
+  std::unique_ptr<SurfaceCurvature> curvature; ///< curvature of the whole body
   std::unique_ptr<EdgeDistance> edges;
-  /// Indices of the piece's points in the whole body; empty: all points, in order.
+  /// Index of each point of the piece in the whole body. Empty: the piece has all points, in order.
   std::vector<std::int32_t> inWhole;
 
   SpotCurvature curvatureAt(std::size_t i) const { return this->curvature->at(this->place(i)); }
@@ -35,24 +34,24 @@ struct BodyShape
   }
 };
 
-/// Finds the curvature (needed by a law or its error) and the edges (needed by the error only) on
-/// the scale of a contact of radius `a` (mm). `normals`: three floats per point. Never returns
-/// null. Collective; each rank temporarily stores the whole body.
+/// Finds the curvature and the edges on the scale of a contact of radius `a` (mm). The curvature is
+/// needed by a law or its error, the edges by the error only. `normals`: three floats per point.
+/// Never returns null. Collective; each rank temporarily stores the whole body.
 ///
-/// A shape does not depend on the material, which changes more often. So the process caches the
-/// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Of the last two whole
-/// bodies it also caches what the shapes for all radii share: some 500 bytes per point, up to 512
-/// MB. Thread-safe.
+/// A shape does not depend on the material. So a cache of the process keeps recent shapes by
+/// content: 28 bytes per point, up to 128 MB and 16 shapes. For the last two whole bodies another
+/// cache keeps the data that shapes of all radii share: about 500 bytes per point, up to 512 MB.
+/// Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// Lengths of the sides of the bounding box of the whole body, mm.
 struct BodyLengths
 {
-  double least;  ///< smallest side: the body is nowhere deeper
+  double least;  ///< smallest side: upper limit of the depth of the body
   double middle; ///< middle side: a much wider circle does not fit on the body
 };
-/// Collective.
+/// Returns the lengths for the whole body. Collective.
 BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks);
 } // namespace palpate
 

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// A hash of the bytes of numbers, with which caches recognize a body by its content.
+/// Returns a hash of the bytes of numbers. Caches use it to recognise a body by its content.
 template <class Value>
 std::size_t hashOf(const std::vector<Value>& values)
 {

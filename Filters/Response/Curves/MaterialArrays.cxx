@@ -42,12 +42,12 @@ MaterialArray arrayToProcess(
     : nullptr;
   if (!which || !which->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // never set: the constant property is used
+    return {}; // no array was set: the constant property is used
   }
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())
     : "active attribute";
-  return name.empty() ? MaterialArray{} // an empty name resets the array
+  return name.empty() ? MaterialArray{} // an empty name removes the array
                       : MaterialArray{ name, find(index) };
 }
 
@@ -74,7 +74,7 @@ MaterialArrays materialArrays(vtkPolyData* body, const std::array<std::string, 5
 
 namespace
 {
-/// Reads one value per point from an array that checkPointArray accepts.
+/// Reads one value per point from an array that has passed checkPointArray.
 void readValues(const std::string& name, vtkDataArray* array, PointValues& given)
 {
   given.name = array->GetName() ? array->GetName() : name;

@@ -23,10 +23,11 @@ namespace palpate
 {
 class Ranks;
 
-/// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness, 2
-/// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. An array that is
-/// not requested has no name; an array that is requested but missing is null. An array with the
-/// name of the compliance array followed by `Error`, if present, is the error of the compliance.
+/// A point array of a body that replaces a constant of the material. Its index: 0 Young's modulus,
+/// 1 layer thickness, 2 global compliance, 3 Poisson's ratio, 4 thickness of a stack's second
+/// layer. The name is empty if no array is requested. The array is null if it is requested but
+/// missing. The array named after the compliance array, followed by `Error`, is the error of the
+/// compliance, if present.
 struct MaterialArray
 {
   std::string name;
@@ -36,7 +37,7 @@ using MaterialArrays = std::array<MaterialArray, 5>;
 constexpr std::size_t ThicknessArrayIndex = 1;
 constexpr std::size_t ComplianceArrayIndex = 2;
 constexpr std::size_t SecondArrayIndex = 4;
-/// Index of the array to process that has the strengths of the relaxation at each point.
+/// Index of the array to process with the strengths of the relaxation at each point.
 constexpr int RelaxationArrayIndex = 5;
 
 /// The relaxation of a body. Without branches the body does not relax.
@@ -47,26 +48,27 @@ struct RelaxationRequest
   bool complianceRelaxes = true; ///< whether the global compliance relaxes with the material
 };
 
-/// The material `first` with the layers that were added to a filter (each with thickness (mm),
-/// Young's modulus (MPa), Poisson's ratio and whether the layer slips), and with an elastic base
-/// instead of the rigid one if `isElasticBase`.
+/// Returns the material `first` with the layers that were added to a filter. Each layer has
+/// thickness (mm), Young's modulus (MPa), Poisson's ratio and whether it slips. If `isElasticBase`,
+/// an elastic base replaces the rigid one.
 BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
   const std::vector<std::array<double, 4>>& added, bool isElasticBase, double baseModulus,
   double baseRatio);
 
-/// The array that is set as input of a filter; without a name if none was set. `find(index)`
-/// fetches it.
+/// Returns the array that is set as input of a filter. `find(index)` fetches it. Without such an
+/// array, the name is empty.
 MaterialArray arrayToProcess(
   vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
-/// All arrays that are set as inputs of a filter.
+/// Returns all arrays that are set as inputs of a filter.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
-/// The arrays with these names; "" for an array that is not requested.
+/// Returns the arrays with these names. An empty name means that no array is requested.
 PALPATERESPONSE_EXPORT MaterialArrays materialArrays(
   vtkPolyData* body, const std::array<std::string, 5>& names);
 
-/// The message for a requested array that the body lacks. It names the property on the panel: of
-/// the arrays above, of 5 (relaxation) or of 6 (pressed points).
+/// Returns the error message for a requested array that the body does not have. It contains the
+/// label of the property in the panel. `index`: 0 to 4 (MaterialArray), 5 (relaxation) or 6
+/// (pressed points).
 std::string missingArray(const std::string& name, std::size_t index);
 
 /// Checks that a requested array exists and has one value for each of `points` points. `index` is
@@ -77,8 +79,8 @@ std::string checkPointArray(const MaterialArray& given, std::size_t index, vtkId
 /// property or array, point and value.
 std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMaterial& material);
 
-/// Sets the range of `material` to that of the whole body, after readMaterial on the ranks that
-/// have a piece. Collective: the ranks without a piece call it, too.
+/// Sets the range of `material` to that of the whole body. Call it after readMaterial on the ranks
+/// that have a piece. Collective: ranks without a piece must call it, too.
 void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material);
 } // namespace palpate
 

@@ -25,8 +25,8 @@ namespace palpate
 {
 namespace
 {
-/// A vector whose length differs from 1 by float rounding only is kept unchanged, so that normals
-/// read from a file have the bits that were written.
+/// If the length of a vector differs from 1 only by float rounding, the vector is kept unchanged.
+/// So normals that are read from a file keep their bits.
 constexpr double UnitTolerance = 3e-7;
 
 constexpr double NormalTolerance = 0.035; // rad, 2 degrees
@@ -55,9 +55,9 @@ double angleBetween(const Vector3& one, const Vector3& other)
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// Whether the stored normals belong to the triangles: each differs from the computed normal by at
-/// most 2 degrees plus the largest angle to a neighbour's normal. Stored normals may be more exact
-/// than computed ones by that much.
+/// Whether the stored normals belong to the triangles. Each stored normal must differ from the
+/// computed normal by at most 2 degrees plus the largest angle to a neighbour's computed normal.
+/// Exact normals can differ from computed ones by that much.
 bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* computed)
 {
   const auto at = [computed](std::int32_t i)
@@ -89,7 +89,7 @@ bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* comput
   return true;
 }
 
-/// Sets status and normal of points that are not finite.
+/// Sets status and normal of points whose coordinates are not finite.
 void markNotFinite(vtkPoints* points, float* normals, unsigned char* status)
 {
   vtkSMPTools::For(0, points->GetNumberOfPoints(),
@@ -125,7 +125,7 @@ void computeNormals(vtkPolyData* body, float* normals, unsigned char* status)
   }
 }
 
-/// As computeNormals, for a body with a seam. Returns an error if a closed surface is inside out.
+/// Computes the normals of a body with a seam. Returns an error if a closed surface is inside out.
 std::string computeNormals(
   vtkPolyData* body, const BodySeam& seam, float* normals, unsigned char* status)
 {
@@ -159,7 +159,7 @@ std::string fillPointNormals(
   std::string wrongSide;
   if (seam.ranks().areAlone())
   {
-    computeNormals(body, normal, state); // a SoundBody never winds inward
+    computeNormals(body, normal, state); // never fails, because a SoundBody does not wind inward
   }
   else
   {

@@ -10,12 +10,13 @@ namespace palpate
 {
 class SoundBody;
 
-/// Index of the array to process that is not 0 at the points that get a response.
+/// Index of the array to process with the mask of pressed points: nonzero at points that get a
+/// response.
 constexpr int PressedArrayIndex = 6;
 
-/// Sets the status of the points that get no response to OutOfReach. A point that represents
-/// others at its place gets a response if one of them does. Returns the number of places that get
-/// no response. Without an array all points get one.
+/// Sets the status to OutOfReach at the points that get no response. A point that represents other
+/// points at its place gets a response if one of them is in the mask. Returns the number of places
+/// that get no response. Without an array all points get a response.
 vtkIdType leaveOutOthers(
   const MaterialArray& pressed, const SoundBody& sound, vtkUnsignedCharArray* status);
 } // namespace palpate

@@ -13,8 +13,8 @@
 
 namespace palpate
 {
-/// Strength and time (s) of each branch. A filter's user sets them one by one. Any number of
-/// branches and any values are stored; fillSeries() checks them.
+/// List of the branches of a relaxation, each with strength and time (s). The user of a filter sets
+/// them one by one. Any number of branches and any values are stored; fillSeries() checks them.
 class RelaxationList
 {
 public:
@@ -48,7 +48,7 @@ public:
   double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
   double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
 
-  /// The branches whose strength is not 0.
+  /// Returns a list of the branches whose strength is not 0.
   RelaxationList effectiveBranches() const
   {
     RelaxationList some;

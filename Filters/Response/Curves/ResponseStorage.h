@@ -31,7 +31,7 @@ struct PALPATERESPONSE_EXPORT ResponseStorage
   vtkSmartPointer<vtkFloatArray> Error; ///< null: the errors are not stored
 
   ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError);
-  /// `normals`: 3 numbers per point; `status`: one (fillPointNormals).
+  /// `normals`: 3 numbers per point; `status`: one number per point (fillPointNormals).
   void setNormals(const std::vector<float>& normals, const std::vector<unsigned char>& status);
   ResponseSpans spans();
   void attach(vtkPolyData* output);

@@ -65,7 +65,7 @@ double StoredError::at(vtkIdType cell, const double* point, double depth) const
   std::array<vtkIdType, 3> ids{};
   std::array<Vector3, 3> x;
   const vtkIdType first = this->Body->GetNumberOfVerts() + this->Body->GetNumberOfLines();
-  vtkNew<vtkIdList> corners; // a separate list, since several threads may read the body
+  vtkNew<vtkIdList> corners; // a local list, because several threads may read the body
   this->Body->GetPolys()->GetCellAtId(cell - first, corners);
   for (std::size_t k = 0; k < x.size(); ++k)
   {

@@ -14,12 +14,12 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The error at a depth (mm), from the errors at the samples of a curve. Linear in √δ between
-/// samples, constant below the first sample, NaN beyond the range (mm).
+/// Interpolates the errors at the samples of a curve to a depth (mm). The interpolation is linear
+/// in √δ between samples and constant below the first sample. Returns NaN beyond the range (mm).
 PALPATERESPONSE_EXPORT double errorBetween(
   const float* errors, int samples, double range, double depth);
 
-/// The estimated relative errors in the array Error of a response.
+/// Access to the estimated relative errors in the array Error of a response.
 class PALPATERESPONSE_EXPORT StoredError
 {
 public:
@@ -30,7 +30,7 @@ public:
   /// Error of a point's force at a depth (mm). NaN if the response stores no error, or beyond the
   /// range.
   double at(vtkIdType point, double depth) const;
-  /// Error of the force at a place on a triangle, given by its cell and a point on it.
+  /// Error of the force at a place on a triangle. `cell`: the triangle; `point`: a point on it, mm.
   double at(vtkIdType cell, const double* point, double depth) const;
 
 private:
@@ -40,14 +40,14 @@ private:
 };
 
 /// Adds the array RelativeError (double) to tips with contacts (ContactCell, ContactPoint,
-/// Deflection): the error of the force on each tip, 0 without contact, NaN if unknown. Adds nothing
-/// if the response stores no error. `others` (one number per tip, or empty) is added to it: the
-/// error due to contacts that act on one another.
+/// Deflection). It is the error of the force on each tip, 0 without contact, NaN if unknown. Adds
+/// nothing if the response stores no error. `others` is the error due to interacting contacts, one
+/// number per tip, or empty. It is added to RelativeError.
 PALPATERESPONSE_EXPORT void addContactErrors(vtkPolyData* body, const std::string& responseName,
   vtkPolyData* tips, const std::vector<double>& others = {});
 
-/// The error as a text that follows a force: " ± 4 %". At 100 % or more, the text says that the
-/// force is unknown; "" for NaN.
+/// Returns the error as a text that follows a force: " ± 4 %". From 99.5 % upward, the text says
+/// that the error has no bound. Returns "" for NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);
 } // namespace palpate
 

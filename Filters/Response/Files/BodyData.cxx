@@ -38,7 +38,7 @@ namespace palpate
 {
 namespace
 {
-/// The reason why the file cannot be read at all; "" if it can.
+/// Returns the reason why the file cannot be read at all; "" if it can be read.
 std::string accessFault(const std::string& path)
 {
   std::error_code code;
@@ -93,8 +93,8 @@ vtkSmartPointer<vtkPolyData> asPolyData(const FileMesh& mesh)
   return made;
 }
 
-/// Merges corners at the same place into one point. Triangles with two corners at the same place
-/// are left out.
+/// Merges corners at the same place into one point. Leaves out triangles with two corners at the
+/// same place.
 vtkSmartPointer<vtkPolyData> mergedCorners(vtkPolyData* facets)
 {
   vtkNew<vtkPoints> points;
@@ -148,7 +148,7 @@ void readStlFile(const std::string& path, BodyData& result)
   }
 }
 
-/// Upper limit of the memory for the content of a file, bytes: DEFLATE compresses by a factor of at
+/// Upper limit of the memory for the content of a file, bytes. DEFLATE compresses by a factor of at
 /// most 1032.
 double memoryFor(const std::string& path)
 {
@@ -158,7 +158,8 @@ double memoryFor(const std::string& path)
   return Least + Most * static_cast<double>(std::filesystem::file_size(path, ignored));
 }
 
-/// Replaces unprintable characters: texts of Palpate and VTK may quote any content of the file.
+/// Replaces unprintable characters, because error texts of Palpate and VTK may quote any content of
+/// the file.
 std::string printable(std::string text)
 {
   std::replace_if(
@@ -171,8 +172,8 @@ std::string noFault()
   return "";
 }
 
-/// Updates a VTK reader if it did not crash in the trial run, and if `fault` finds no error in the
-/// information about the content.
+/// Reads the file with a VTK reader, if the reader did not crash in the trial run, and if `fault`
+/// finds no error in the information about the content.
 void update(vtkAlgorithm* reader, const std::string& path, BodyData& result,
   const std::function<std::string()>& fault = noFault)
 {

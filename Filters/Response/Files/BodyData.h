@@ -14,8 +14,8 @@ namespace palpate
 struct BodyData
 {
   vtkSmartPointer<vtkDataSet> data; ///< null after an error
-  std::vector<std::string> notes;   ///< changes to the content, each part of a sentence
-  std::string fault;                ///< without the name of the file; "": no error
+  std::vector<std::string> notes;   ///< changes to the content; each note is part of a sentence
+  std::string fault;                ///< error message without the name of the file; "": no error
 };
 
 /// Reads a file. Its name determines the kind; see vtkBodyFileReader. Never throws or crashes, for

@@ -33,11 +33,11 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // an array has a NaN: only its range is lost
+      return; // an array contains NaN; only its range is lost
     }
     this->failed = true;
     if (this->error.empty() &&
-      // This text adds no information.
+      // This message adds no information to the first error.
       all.find("returned failure for request") == std::string::npos)
     {
       this->error = messageOf(all);
@@ -45,13 +45,13 @@ public:
   }
 
   bool hasFailed() const { return this->failed; }
-  /** The first error. Without errors, the first warning. */
+  /** Returns the first error or, if there are no errors, the first warning. */
   std::string reason() const { return this->error.empty() ? this->firstWarning() : this->error; }
   std::string firstWarning() const
   {
     return this->different.empty() ? std::string() : this->different.front();
   }
-  /** Prints each warning once, in order, and only the first few. */
+  /** Prints the first few warnings, in order and without repetition. */
   void printWarnings() const
   {
     for (const std::string& warning : this->different)
@@ -61,10 +61,10 @@ public:
   }
 
 private:
-  /** Some readers report an error as a warning and continue. */
+  /** Stores a warning. Some readers report an error as a warning and continue. */
   void warn(const std::string& text)
   {
-    // But not the name of an array that ends with "Error".
+    // The word boundary excludes names of arrays that end with "Error".
     static const std::regex isError("\\bError\\b");
     this->failed = this->failed || std::regex_search(text, isError);
     const std::string message = messageOf(text);
@@ -76,7 +76,7 @@ private:
   }
 
   /**
-   * Extracts the message from "ERROR: In file, line n\nclass (address): message\n\n", since VTK
+   * Extracts the message from the text "ERROR: In file, line n\nclass (address): message\n\n". VTK
    * passes only the whole text.
    */
   static std::string messageOf(const std::string& text)
@@ -95,7 +95,8 @@ private:
 
   bool failed = false;
   std::string error;
-  std::vector<std::string> different; ///< warnings
+  /// The different warnings, in the order of their first occurrence.
+  std::vector<std::string> different;
 };
 
 /** During its lifetime, VTK's output goes to a CollectingWindow instead of the console. */

@@ -24,15 +24,16 @@ namespace palpate
 {
 namespace
 {
-constexpr double MostDeflated = 1032.0; // bytes per byte of a gzip file
-constexpr double SmallestVolume = 1e-6; // volume spanned by the three axes, as a fraction of that
-                                        // of a box with the same sides
+constexpr double MostDeflated = 1032.0; // largest number of bytes per byte of a gzip file
+/// Smallest volume spanned by the three axes, as a fraction of the box with the same side lengths.
+constexpr double SmallestVolume = 1e-6;
 
 using Affine = Eigen::Matrix<double, 3, 4>; // maps voxel indices to the coordinates of the file
 
 bool isCompressed(const std::string& path)
 {
-  return path.size() > 2 && (path.back() == 'z' || path.back() == 'Z'); // ".gz", not ".nii"
+  // True for ".gz", false for ".nii".
+  return path.size() > 2 && (path.back() == 'z' || path.back() == 'Z');
 }
 
 Affine sform(vtkNIFTIImageHeader* header)
@@ -45,7 +46,7 @@ Affine sform(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// The lengths of a voxel along the axes; 1 if the header does not state them.
+/// Returns the lengths of a voxel along the axes; 1 if the header does not state them.
 Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
 {
   Eigen::Vector3d sides;
@@ -57,7 +58,7 @@ Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
   return sides;
 }
 
-/// The rotation by the quaternion. Its first component follows from the others.
+/// Returns the rotation by the quaternion. Its first component follows from the other three.
 Affine qform(vtkNIFTIImageHeader* header)
 {
   const Eigen::Vector3d vector(header->GetQuaternB(), header->GetQuaternC(), header->GetQuaternD());
@@ -79,7 +80,7 @@ Affine voxelAxes(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// Millimetres per unit of the file.
+/// Returns the millimetres per length unit of the file.
 double unitOf(vtkNIFTIImageHeader* header)
 {
   constexpr int SpatialBits = 7;
@@ -198,7 +199,7 @@ std::string applyNiftiHeader(
     return joined("the ", name, " of its header does not span a volume");
   }
   if (reader->GetQFac() < 0.0)
-  { // the reader reverses the slices
+  { // the reader has reversed the order of the slices
     affine.col(3) += (image->GetDimensions()[2] - 1) * affine.col(2);
     affine.col(2) *= -1.0;
   }

@@ -10,10 +10,12 @@
 namespace palpate
 {
 /**
+ * A parser that makes expat parse all data before the binary part.
+ *
  * VTK passes the tag <AppendedData> to expat in pieces and relies on an immediate callback. Since
- * 2.6 (and in Debian's patched 2.5), expat defers the parsing of such pieces until the input has
- * doubled. VTK then continues into the binary data and fails (VTK issue 19258). Blanks after the
- * end of the document make expat parse the deferred pieces and have no other effect.
+ * version 2.6 (and in Debian's patched 2.5), expat defers the parsing of such pieces until the
+ * input has doubled. VTK then continues into the binary data and fails (VTK issue 19258). Blanks
+ * after the end of the document make expat parse the deferred pieces and have no other effect.
  */
 class PromptParser : public vtkXMLDataParser
 {

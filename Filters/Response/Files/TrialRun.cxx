@@ -80,7 +80,7 @@ std::string crashOf(const std::function<void()>& work, double memory)
     {
       end = OutOfMemory;
     }
-    catch (...) // the work will throw the same exception in this process
+    catch (...) // the work will throw the same exception in the calling process
     {
     }
     _exit(write(pipe[1], &end, 1) == 1 ? 0 : 1);

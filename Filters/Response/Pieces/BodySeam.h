@@ -39,7 +39,8 @@ public:
     std::size_t size = 0;
     std::vector<Place> places; ///< seam points of this rank, in ascending order of the points
     std::vector<std::vector<std::int32_t>> seams; ///< seam numbers of the places of each rank
-    /// Border edges that coincide with an edge of another piece in the opposite direction.
+    /// Number of border edges that coincide with an edge of another piece in the opposite
+    /// direction.
     std::size_t joinedEdges = 0;
   };
 
@@ -50,14 +51,14 @@ public:
   const Ranks& ranks() const noexcept { return this->Among; }
   /// The seam points of this rank, in ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
-  /// Border edges of all ranks that coincide with an edge of another piece in the opposite
-  /// direction.
+  /// Number of border edges of all ranks that coincide with an edge of another piece in the
+  /// opposite direction.
   std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**
-   * Combines values of the seam points over all ranks. `own` and the result have a value for each
+   * Combines values of the seam points over all ranks. `own` and the result have one value for each
    * of places(). The result is combine(...combine(start, first)..., last) over the values of all
-   * ranks in the order of the ranks, so the bits are the same everywhere. Collective.
+   * ranks, in the order of the ranks. So the bits are the same on all ranks. Collective.
    */
   template <class T, class Combine>
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const

@@ -53,7 +53,7 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
   return {};
 }
 
-/// Copies the data that one rank has read to all ranks.
+/// Copies the data from the rank that has read them to all ranks.
 void broadcast(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
 {
   using Record = std::array<double, 10>;

@@ -12,7 +12,7 @@ namespace palpate
 {
 class Ranks;
 
-/// The contact of a chosen tip among the tips of all ranks.
+/// The contact of one tip that is chosen among the tips of all ranks.
 struct ChosenTip
 {
   FieldContact contact; ///< the contact; its cell is -1 without contact or without tips
@@ -20,8 +20,8 @@ struct ChosenTip
 };
 
 /**
- * Finds tip `index` (-1: the last) among the outputs of vtkToolContactProbe on all ranks, counted
- * rank by rank. Collective. Returns "" or an error message, the same on all ranks.
+ * Finds tip number `index` (-1: the last) in the outputs of vtkToolContactProbe on all ranks. Tips
+ * are counted rank by rank. Collective. Returns "" or an error message, the same on all ranks.
  */
 std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, ChosenTip& chosen);
 } // namespace palpate

@@ -19,17 +19,17 @@ namespace palpate
 class BodyPiece;
 class ContactBody;
 
-/// The tips of this rank. They have passed checkTips.
+/// Tips of this rank that have passed checkTips, with their settings.
 struct PressedTips
 {
   vtkPolyData* tips = nullptr;
   const ContactSettings& settings;
   double indentation = 0.0; ///< mm
-  /// The kernel of one rank: presses the tips into a part of the body.
+  /// The kernel for one rank. It presses the tips into a part of the body.
   std::function<void(const ContactBody& part, const TipVisitor& visit)> press;
 };
 
-/// The contact of one of these tips.
+/// The contact of one tip of PressedTips.
 struct PieceTouch
 {
   Vector3 at = Vector3::Zero(); ///< position of the tip after the indentation
@@ -38,7 +38,7 @@ struct PieceTouch
 };
 
 /**
- * Functions of libpalpatePieces.so: work that is needed only if a body is in pieces on several
+ * Functions of libpalpatePieces.so. They are needed only if a body is divided among several
  * processes. No library links the module; the first filter with more than one process loads it. All
  * functions except makePiece are collective.
  */
@@ -47,8 +47,8 @@ struct PiecesModule : ModuleTable
   BodySeam::Points (*findSeam)(const Ranks& ranks, vtkPolyData* body);
   /// `body`: this rank's piece with the response, or empty.
   std::shared_ptr<const BodyPiece> (*makePiece)(vtkPolyData* body, const BodySeam& seam);
-  /// Computes the contacts of this rank's tips. `defects` describes the defects of the mesh around
-  /// them. Returns "" or the same error on all ranks.
+  /// Computes the contacts of this rank's tips. `defects` receives a description of the defects of
+  /// the mesh around the tips. Returns "" or an error message, the same on all ranks.
   std::string (*touch)(const Ranks& ranks, const BodyPiece& piece, const std::string& responseName,
     const PressedTips& tips, std::vector<PieceTouch>& touched, std::string& defects);
 };
@@ -63,8 +63,9 @@ struct LoadedPieces
 /// Loads the module at the first call. Later calls return the same result. Any thread may call it.
 const LoadedPieces& loadedPieces();
 
-/// The reason why several ranks cannot share a body, with the name of the missing module; "" if
-/// they can, or if there is only one rank. Call it before making a BodySeam. Collective.
+/// Returns the reason why several ranks cannot share a body, with the name of the missing module.
+/// Returns "" if they can share it, or if there is only one rank. Call it before making a BodySeam.
+/// Collective.
 std::string missingPieces(const Ranks& ranks);
 } // namespace palpate
 

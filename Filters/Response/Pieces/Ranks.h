@@ -36,10 +36,11 @@ public:
   bool any(bool own) const;
   double largest(double own) const;
   double smallest(double own) const;
-  /// The fault of the lowest rank with a fault, and that rank's number; "" if no rank has one.
+  /// Returns the fault of the lowest rank that has a fault, with the number of that rank; "" if no
+  /// rank has a fault.
   std::string firstFault(const std::string& own) const;
 
-  /// The values of all ranks, in rank order, on all ranks.
+  /// Returns the values of all ranks, in rank order. The result is the same on all ranks.
   template <class T>
   std::vector<std::vector<T>> gather(const std::vector<T>& own) const
   {
@@ -66,7 +67,8 @@ public:
     return all;
   }
 
-  /// The bodies of all ranks, in rank order, on rank `to`; empty on other ranks.
+  /// Returns the bodies of all ranks, in rank order, on rank `to`. Returns an empty list on other
+  /// ranks.
   std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
   /// Copies the body of rank `from` to all ranks.
   void spread(vtkPolyData* body, int from) const;

@@ -10,14 +10,14 @@ namespace palpate
 {
 class BodySeam;
 
-/// Unit angle-weighted normals at the places of a seam, over the triangles of all pieces. They
-/// equal those of the body in one piece except for the order in which triangles are summed. The
-/// normal of a point without a usable triangle is zero. Collective; the bits are the same on all
-/// ranks.
+/// Returns unit angle-weighted normals at the places of a seam, from the triangles of all pieces.
+/// They equal the normals of the body in one piece, except for rounding by another order of
+/// summation. The normal of a point without a usable triangle is zero. Collective; the bits are the
+/// same on all ranks.
 std::vector<Vector3> seamNormals(const BodyMesh& piece, const BodySeam& seam);
 
-/// Whether the surface of all pieces is closed, and the enclosed volume (mm³, negative if triangles
-/// wind inward; meaningless if the surface is not closed). Collective.
+/// Whether the surface of all pieces together is closed, and the volume that it encloses, mm³. The
+/// volume is negative if triangles wind inward, and meaningless if the surface is not closed.
 struct SeamClosure
 {
   bool isClosed = false;

@@ -64,9 +64,9 @@ CouplingLaw lawOf(const MaterialRange& range)
 }
 
 /// Attaches the modes. They are scaled down where their compliance would exceed that of the
-/// response: its global compliance plus a third of the local one at the last sample (1 - 2/π of
-/// 1/(2E*a), the part that the surface's law does not use). Then the compliance matrix of all
-/// contacts is positive definite at any depths.
+/// response. That is the global compliance plus a third of the local compliance at the last sample
+/// (1 - 2/π of 1/(2E*a), the part that the law of the surface does not use). Then the compliance
+/// matrix of all contacts is positive definite at any depths.
 void addModes(
   const ContactSpots& spots, const std::string& name, vtkDataArray* modes, vtkPolyData* body)
 {
@@ -114,8 +114,8 @@ std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
   return {};
 }
 
-/// The interaction of contacts on one body: the arrays Coupling, CouplingModulus, CouplingThickness
-/// and CouplingModes. Without them contacts do not interact.
+/// The interaction of contacts on one body. Its arrays are Coupling, CouplingModulus,
+/// CouplingThickness and CouplingModes. Without these arrays contacts do not interact.
 class CouplingTerm : public LawTerm
 {
 public:

@@ -48,15 +48,15 @@ void addEdges(vtkPolyData* body, const std::string& name, const EdgeTerms& edges
   body->GetFieldData()->AddArray(array);
 }
 
-/// Contacts over sharp edges: the array Edges. Without it a contact does not change near an edge.
-/// Curves of true shape contain the edges already, up to the edge itself.
+/// The effect of sharp edges on contacts near them. Its array is Edges. Without it, edges do not
+/// change the force. Curves of true shape already contain the effect, except beyond the edge.
 class EdgeTerm : public LawTerm
 {
 public:
   bool isAsked(const LawRequest& request) const override;
   std::string make(const TermBody& response, vtkPolyData* output) const override;
-  /// Edges are kept if the body has any, since a contact can leave the body over an edge at any
-  /// depth.
+  /// Keeps the term if a sharp edge is within reach of a contact, because a contact at any depth
+  /// can leave the body over an edge.
   std::string need(AutomaticTerms& choice) const override;
   bool view(vtkPolyData* body, const std::string& name, ResponseArrays& arrays,
     std::string& error) const override;

@@ -18,20 +18,21 @@ class AxisymmetricTool;
 struct ResponseArrays;
 struct ResponseModel;
 
-/// The response for which a term is made.
+/// Properties of the response to which a term belongs.
 struct TermBody
 {
-  const LawRequest& request;    ///< without fault, except in the settings that LawTerm::check reads
-  const AxisymmetricTool& tool; ///< that of the request
-  const BodyMaterial* material; ///< null: finite elements of the true shape
-  double depth = 0.0;           ///< mm: the body is nowhere deeper
+  const LawRequest& request;    ///< valid, except for the settings that LawTerm::check checks
+  const AxisymmetricTool& tool; ///< tool of the request
+  const BodyMaterial* material; ///< null for a response by finite elements of the true shape
+  double depth = 0.0;           ///< upper limit of the depth of the body, mm
 };
 
 /**
- * A term of a response, in addition to the law of the tool on a flat half-space at small strain:
- * layers, curvature, edges, finite strain, relaxation, coupling, tilt. All code of a term outside
- * of a tick is in its class; what makes, reads, writes or describes responses goes over lawTerms().
- * A term without arrays, words or error does not override the function for them. Immutable.
+ * A term of a response. Terms extend the law of the tool on a flat half-space at small strain by:
+ * layers, curvature, edges, finite strain, relaxation, coupling, tilt. The class of a term contains
+ * all code of the term, except the code of a tick. Code that makes, reads, writes or describes
+ * responses loops over lawTerms(). A term that has no arrays, words or error does not override the
+ * corresponding function. Immutable.
  */
 class PALPATERESPONSE_EXPORT LawTerm
 {
@@ -40,38 +41,40 @@ public:
 
   virtual bool isAsked(const LawRequest& request) const = 0;
 
-  /// Checks the settings of the term, asked or not, and the arrays of this rank's piece of the
-  /// body (null: a body without arrays). The range of the material is that of the whole body.
-  /// Returns "" or an error that names the setting or the array.
+  /// Checks the settings of the term, whether or not the term is requested, and the arrays of this
+  /// rank's piece of the body (null: a body without arrays). The range of the material is that of
+  /// the whole body. Returns "" or an error that names the setting or the array.
   virtual std::string check(const TermBody& response, vtkPolyData* piece) const;
 
   /// Attaches the arrays of the term to a body that has its curves and no older arrays of the term.
-  /// Called if the term is asked. Returns "" or an error message.
+  /// Called if the term is requested. Returns "" or an error message.
   virtual std::string make(const TermBody& response, vtkPolyData* output) const;
 
-  /// Includes the error of the term in validity and error of the response; called after make. The
-  /// errors of layers, curvature, edges and strain are part of the curves (ErrorRule).
+  /// Includes the error of the term in the validity and the error of the response. Called after
+  /// make. The errors of layers, curvature, edges and strain are part of the curves (ErrorRule) and
+  /// are not added here.
   virtual std::string limit(const TermBody& response, vtkPolyData* output) const;
 
-  /// What the model of the response says of a term that is asked: its text, which begins with a
-  /// comma, and its ModelPart.
+  /// Returns the text and the ModelPart with which the model of the response describes a requested
+  /// term. The text begins with a comma.
   virtual ResponseModel words(const TermBody& response) const;
 
-  /// Leaves the term out of `choice`, or adds it, as the tolerance of the forces needs, and adds
-  /// the reason. Collective. Returns "" or an error message.
+  /// Removes the term from `choice` or adds it to `choice`, so that the forces stay within the
+  /// tolerance. Adds the reason. Collective. Returns "" or an error message.
   virtual std::string need(AutomaticTerms& choice) const;
 
-  /// Sets the views of the arrays of the term; leaves them unchanged if the body has none. The
-  /// curves must be set. Returns false and an error that names array and number.
+  /// Sets the views of the term's arrays. Leaves the views unchanged if the body has no such
+  /// arrays. The views of the curves must be set. Returns false and an error that names array and
+  /// number.
   virtual bool view(
     vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error) const;
 
-  /// Attaches copies of the views as arrays; nothing if they have no such term.
+  /// Attaches copies of the viewed arrays of the term. Attaches nothing if the term has no views.
   virtual void describe(
     vtkPolyData* body, const std::string& name, const ResponseArrays& arrays) const;
 };
 
-/// The terms, each in the file of its name.
+/// The terms. Each is defined in the file of its name.
 const LawTerm& layerTerm();
 const LawTerm& curvatureTerm();
 const LawTerm& edgeTerm();
@@ -83,14 +86,14 @@ const LawTerm& tiltTerm();
 /// All terms, in the order in which they are checked, made and described.
 PALPATERESPONSE_EXPORT const std::array<const LawTerm*, 7>& lawTerms();
 
-/// The first fault that LawTerm::check finds, or "".
+/// Returns the first fault that LawTerm::check finds in any term, or "".
 PALPATERESPONSE_EXPORT std::string checkTerms(const TermBody& response, vtkPolyData* piece);
 
-/// Attaches the terms that are asked, after the curves, and includes their errors. Returns "" or an
-/// error message.
+/// Attaches the arrays of all requested terms, and includes their errors. Call it after the curves
+/// are attached. Returns "" or an error message.
 PALPATERESPONSE_EXPORT std::string makeTerms(const TermBody& response, vtkPolyData* output);
 
-/// The words of the terms that are asked, one after the other, and the sum of their parts.
+/// Returns the texts of all requested terms, one after the other, and the sum of their ModelParts.
 PALPATERESPONSE_EXPORT ResponseModel termsInWords(const TermBody& response);
 } // namespace palpate
 

@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// A simpler body and its name.
+/// A body with fewer layers, and its name for the reason.
 struct SimplerBody
 {
   BodyMaterial::Constants constants;
@@ -29,7 +29,7 @@ struct SimplerBody
   const char* name;
 };
 
-/// The bodies to try, the simplest first. Empty for a half-space.
+/// Returns the bodies to try, the simplest first. Empty if `material` is a half-space.
 std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMaterial& material)
 {
   std::vector<SimplerBody> simpler;
@@ -108,14 +108,15 @@ void attachStack(const BodyMaterial& material, const std::string& name, vtkPolyD
   }
 }
 
-/// Layers below the surface. They change the curves, and are part of the material; the arrays
-/// LayerThickness, LayerBase, LayerStack and SecondThickness keep them for the displacement field.
+/// Layers below the surface. They belong to the material and change the curves. The arrays
+/// LayerThickness, LayerBase, LayerStack and SecondThickness store the layers for the displacement
+/// field.
 class LayerTerm : public LawTerm
 {
 public:
   bool isAsked(const LawRequest& request) const override;
   std::string make(const TermBody& response, vtkPolyData* output) const override;
-  /// Tries simpler bodies: a half-space, one layer, the first layer.
+  /// Tries simpler bodies in this order: a half-space, one layer, the first layer.
   std::string need(AutomaticTerms& choice) const override;
 };
 } // namespace

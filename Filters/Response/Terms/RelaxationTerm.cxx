@@ -47,7 +47,7 @@ bool isStrength(double value)
   return value >= 0.0 && std::isfinite(value);
 }
 
-/// Checks values of points, which must be finite and not negative. Returns "" or an error that
+/// Checks that the values at all points are finite and not negative. Returns "" or an error that
 /// names the first invalid value.
 std::string checkValues(const std::string& name, const float* values, std::size_t points,
   std::size_t components, const char* quantity, const char* unit)
@@ -65,7 +65,8 @@ std::string checkValues(const std::string& name, const float* values, std::size_
   return {};
 }
 
-/// Exponent and contact radius of the tool, for a contact that slides onto new material.
+/// Sets exponent and contact radius of the tool. They are used if a contact slides onto new
+/// material.
 void describeContact(const std::string& text, double range, RelaxationTerms& terms)
 {
   ToolSpecification specification;
@@ -87,8 +88,9 @@ void describeContact(const std::string& text, double range, RelaxationTerms& ter
   }
 }
 
-/// Reads the series of a response; without branches if the body does not relax. A field array has k
-/// values, as k tuples or as one tuple. Returns false and an error if an array is invalid.
+/// Reads the series of a response. The series has no branches if the body does not relax. A field
+/// array has k values, either as k tuples or as one tuple. Returns false and an error if an array
+/// is invalid.
 bool readSeries(vtkPolyData* body, const std::string& name, PronySeries& series, std::string& error)
 {
   series = {};
@@ -202,7 +204,8 @@ std::string checkElastic(const MaterialArray& compliance)
   return {};
 }
 
-/// The array of an elastic compliance; null if the compliance relaxes, too.
+/// Returns the array of an elastic compliance. Returns null if the compliance relaxes like the
+/// body.
 vtkDataArray* elasticCompliance(const LawRequest& request)
 {
   const RelaxationRequest& relaxation = request.relaxation;
@@ -226,20 +229,20 @@ void addCopy(vtkDataArray* from, const std::string& name, ResponseArray which, v
   addFloats(output, name, which, components, values);
 }
 
-/// The relaxation of the body: the arrays RelaxationStrength, RelaxationTime, LocalRelaxation and
-/// ElasticCompliance. With them the curves of the response are its slow part. Without them the body
-/// does not relax.
+/// The relaxation of the body. Its arrays are RelaxationStrength, RelaxationTime, LocalRelaxation
+/// and ElasticCompliance. With these arrays, the curves of the response are its slow part. Without
+/// them the body does not relax.
 class RelaxationTerm : public LawTerm
 {
 public:
   bool isAsked(const LawRequest& request) const override;
   std::string check(const TermBody& response, vtkPolyData* piece) const override;
   std::string make(const TermBody& response, vtkPolyData* output) const override;
-  /// ", relaxing 0.5 in 0.1 s, 0.3 in 2 s".
+  /// Returns a text such as ", relaxing 0.5 in 0.1 s, 0.3 in 2 s".
   ResponseModel words(const TermBody& response) const override;
-  /// Sets also, from the text Tool, exponent and contact radius of the tool at the largest range.
-  /// If the tool cannot be read, or cannot be pressed to that depth, the exponent is that of the
-  /// curves and the radius is 0.
+  /// Sets, in addition, the exponent and the contact radius of the tool at the largest range, using
+  /// the text in the array Tool. If the tool cannot be read, or cannot be pressed to that depth,
+  /// the exponent is that of the curves and the radius is 0.
   bool view(vtkPolyData* body, const std::string& name, ResponseArrays& arrays,
     std::string& error) const override;
   void describe(

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Finite strain, which multiplies the curves by a StrainCorrection.
+/// Finite strain. It multiplies the curves by a StrainCorrection.
 class StrainTerm : public LawTerm
 {
 public:
@@ -23,7 +23,7 @@ public:
     return request.terms.strain.model != StrainModel::Linear;
   }
   ResponseModel words(const TermBody& response) const override;
-  /// May need to compute the correction.
+  /// Computes the correction if the choice depends on it.
   std::string need(AutomaticTerms& choice) const override;
 };
 } // namespace
@@ -43,8 +43,7 @@ std::string StrainTerm::need(AutomaticTerms& choice) const
   const std::string name = palpate::describe(law);
   const bool curved = choice.terms.curvature;
   const LawModel small{ material, curved, nullptr };
-  const double bound = choice.bound(small); // upper bound of the error stated without finite
-                                            // strain
+  const double bound = choice.bound(small); // upper bound of the error without finite strain
   if (law.model == StrainModel::NeoHooke)
   {
     if (choice.isNegligible(bound))

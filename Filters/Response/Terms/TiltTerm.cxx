@@ -37,7 +37,8 @@ TiltNumbers numbersOf(const TiltTerms& terms)
     static_cast<double>(terms.laws) };
 }
 
-/// Converts the numbers. Counts that are not whole numbers become 0, which is invalid.
+/// Converts stored numbers to terms. A count that is not a whole number becomes 0, which is
+/// invalid.
 TiltTerms termsOf(const TiltNumbers& numbers)
 {
   const auto count = [&numbers](std::size_t which)
@@ -63,8 +64,8 @@ void addNumbers(
   body->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of doubles with `tuples` tuples. Returns null and an error if type
-/// or size is different.
+/// Returns the values of a field array of doubles with `tuples` tuples. Returns null and an error
+/// if type or size differs.
 const double* viewNumbers(vtkPolyData* body, const std::string& name, ResponseArray which,
   std::size_t tuples, std::string& error)
 {
@@ -87,8 +88,8 @@ double radians(const LawRequest& request)
   return request.terms.tilt * Pi / 180.0;
 }
 
-/// Attaches the numbers of a table. `weights`: the weight of each law at each point; empty for a
-/// table of one law.
+/// Attaches the numbers of a table as arrays. `weights`: weight of each law at each point; empty if
+/// the table has one law.
 void addTable(vtkPolyData* body, const std::string& name, const TiltTable& table,
   const std::vector<float>& weights)
 {
@@ -116,9 +117,10 @@ MaterialTilts tiltsIn(const TermBody& response, std::size_t points)
   return tilts;
 }
 
-/// The effect of the tool's tilt on the force: the arrays Tilt, TiltDrop, TiltNode and TiltWeight,
-/// the numbers of a TiltTable. Without them the tool counts as upright, whatever its axis. On a
-/// body of true shape the tilts are those of a half-space, and do not change validity.
+/// The effect of the tool's tilt on the force. The arrays Tilt, TiltDrop, TiltNode and TiltWeight
+/// contain the numbers of a TiltTable. Without them the tool counts as upright, whatever its axis.
+/// For a body of true shape the table is that of a half-space, and the term does not change
+/// validity.
 class TiltTerm : public LawTerm
 {
 public:

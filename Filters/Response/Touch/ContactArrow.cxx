@@ -24,7 +24,8 @@ constexpr double HeadRadius = 1.4; // in shaft diameters
 constexpr double HeadLength = 3.5;
 constexpr double LargestHead = 0.4; // fraction of the arrow
 
-/// One end of a band of facets: height above the tail, radius, and direction of the normal there.
+/// A circle at one end of a band of facets: height above the tail, radius, and direction of the
+/// normal.
 struct Ring
 {
   double height;

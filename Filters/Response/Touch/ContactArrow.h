@@ -10,10 +10,10 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// An arrow from `tail` along `way` (mm): triangles with outward point normals. `thickness` is the
-/// shaft's diameter, mm. It is the same for arrows of any length, so that their lengths can be
-/// compared. The head is at most 40 % of the length, so head and shaft of a very short arrow are
-/// thinner.
+/// Makes an arrow from `tail` along `way` (mm): triangles with outward point normals. `thickness`
+/// is the diameter of the shaft, mm. It is the same for arrows of any length, so that lengths can
+/// be compared. The head is at most 40 % of the length, so a very short arrow has a thinner head
+/// and shaft.
 vtkSmartPointer<vtkPolyData> makeContactArrow(
   const Vector3& tail, const Vector3& way, double thickness);
 } // namespace palpate

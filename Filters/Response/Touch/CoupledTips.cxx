@@ -41,7 +41,8 @@ vtkDataArray* timesOf(vtkPolyData* tips)
   return tips->GetPointData()->GetArray("Time");
 }
 
-/// The tips that press at the same time, one per polyline (-1: absent), by time or index.
+/// Groups the tips of polylines that press at the same time, by time or by index. Each group has
+/// one tip per polyline; -1 means that the tool is absent.
 std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -58,7 +59,7 @@ std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines
   return steps;
 }
 
-/// The single points, grouped by time.
+/// Groups the single points by time.
 std::map<double, Line> groupsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   std::vector<char> inHistory(static_cast<std::size_t>(tips->GetNumberOfPoints()), 0);

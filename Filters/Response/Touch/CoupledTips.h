@@ -12,10 +12,12 @@ class vtkDoubleArray;
 namespace palpate
 {
 /**
- * Checks that tips that have passed checkTips can press at once. Returns "" or an error message.
- * Errors: more than CoupledContacts::Most polylines, or as many single points (at one Time); with
- * Time, a polyline with two points at one time, or without a point at a time of another polyline
- * between its own first and last time; a single point whose Time is NaN or minus infinity.
+ * Checks whether tips that have passed checkTips can press at once. Returns "" or an error message.
+ * These are errors:
+ * - more than CoupledContacts::Most polylines, or more single points than that at one Time;
+ * - with Time, a polyline with two points at one time, or without a point at a time of another
+ *   polyline between its own first and last time;
+ * - a single point whose Time is NaN or minus infinity.
  */
 std::string checkCoupledTips(vtkPolyData* tips);
 
@@ -26,8 +28,8 @@ std::string checkCoupledTips(vtkPolyData* tips);
  * them. Single points and polylines do not interact. The tips must have passed checkCoupledTips,
  * and the body must have a coupling.
  *
- * `errors`, unless null, receives the relative error of each tip's force that arises since the
- * other tips act on it as point forces (CoupledContacts::pointForceError); 0 for a single tip.
+ * `errors`, unless null, receives the relative error of each tip's force due to the point forces by
+ * which the other tips are represented (CoupledContacts::pointForceError); 0 for a single tip.
  *
  * `stiffness`, unless null, receives a tuple per tip: the derivative of the tip's slow normal force
  * with respect to the depth of each tip that presses at the same time, N/mm, in the order of the

@@ -21,18 +21,17 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of the displacement to the length of an edge, below which the rotation of a normal is
-/// invisible.
+/// Ratio of displacement to edge length. Below it the rotation of a normal is invisible.
 constexpr double VisibleTurn = 1e-3;
 
 using FacetCorners = std::array<Vector3, 3>;
 
 Vector3 facetNormal(const FacetCorners& corners)
 {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // its length is twice the area
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // the length is twice the area
 }
 
-/// Calls use(corner ids) for each triangle.
+/// Calls `use` with the corner ids of each triangle.
 template <class Use>
 void forEachTriangle(vtkPolyData* body, const Use& use)
 {
@@ -54,7 +53,8 @@ Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
   return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * point)).cast<double>();
 }
 
-/// The sum of all dents. A single dent returns its own array, several return a new array.
+/// Returns the sum of all dents: the array of a single dent itself, or a new array for several
+/// dents.
 vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
 {
   if (dents.size() == 1)
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
   return sum;
 }
 
-/// Turns the normals with the facets. Returns the new normals; null if no normal changes.
+/// Rotates the normals with the facets. Returns the new normals, or null if no normal changes.
 vtkSmartPointer<vtkDataArray> turnNormals(
   vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
 {
@@ -167,7 +167,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Vector3 moved = motionOf(displacement, i);
-    double depth = 0.0; // avoids -0
+    double depth = 0.0; // initial 0 avoids a result of -0
     for (const Dent& made : dents)
     {
       depth -= motionOf(made.displacement, i).dot(made.normal);

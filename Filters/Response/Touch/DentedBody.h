@@ -21,13 +21,13 @@ struct Dent
 };
 
 /**
- * Moves the points of a body by the sum of all dents. Adds the point array `Dent (mm)`, the sum of
- * each dent's motion against its own normal, as active scalars, and the point array
- * `ContactDisplacement`, the whole motion. Needs at least one dent.
+ * Moves the points of a body by the sum of all dents. Needs at least one dent. Adds two point
+ * arrays: `ContactDisplacement`, the whole displacement; and `Dent (mm)`, the active scalars. `Dent
+ * (mm)` is the sum over the dents of the displacement against the normal of each contact.
  *
- * `body` shares its arrays with others: changed arrays are replaced, and none is modified. Active
- * point normals are corrected by the change of the mean normal of the facets around a point, so
- * that smooth shading and sharp edges are kept.
+ * Other objects share the arrays of `body`. So changed arrays are replaced, and no array is
+ * modified. Active point normals are corrected by the change of the mean normal of the facets
+ * around a point, so that smooth shading and sharp edges are kept.
  */
 void dentBody(vtkPolyData* body, const std::vector<Dent>& dents);
 } // namespace palpate

@@ -128,8 +128,8 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TipPoses start(body, tips, indentation);
       TipOrder order;
-      // Results are stored here first, since the visitor writes to many arrays and is faster in the
-      // order of the tips.
+      // Results are collected first and then passed to the visitor in the order of the tips. The
+      // visitor writes to many arrays, which is faster in that order.
       struct TipResult
       {
         Contact contact;
@@ -160,12 +160,13 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             at.contact = single.update(pose);
             if (isPress && !(at.contact.normalForce > 0.0))
             {
-              single.reset(); // the face that is pressed has no force there: search all faces
+              // The face that the tip presses has no force there, so all faces are searched.
+              single.reset();
               at.contact = single.update(pose);
             }
             if (pose.hasAxis())
             {
-              // This update uses the normal that the first update found.
+              // This second update uses the normal that the first update found.
               at.contact = single.update(pose);
             }
           });

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double LastCell = 1023.0;
 
-/// Spreads the ten bits of x to every third bit.
+/// Moves bit k of the lowest ten bits of x to bit 3k.
 std::uint32_t spread(std::uint32_t x)
 {
   x = (x | (x << 16)) & 0x030000FFU;
@@ -25,7 +25,7 @@ std::uint32_t spread(std::uint32_t x)
   return x;
 }
 
-/// Position along Morton's curve; 0 for a tip that is not finite.
+/// Returns the position of a tip along Morton's curve; 0 for a tip that is not finite.
 std::uint32_t keyOf(const Vector3& tip, const Vector3& corner, double scale)
 {
   std::uint32_t key = 0;
@@ -64,7 +64,7 @@ void TipOrder::sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const ch
       { keyOf(tip.position, box.min(), scale), static_cast<std::uint32_t>(this->Items.size()) });
   }
 
-  // Radix sort by ten bits at a time, from the lowest.
+  // Radix sort, ten bits at a time, lowest bits first.
   constexpr unsigned digit = 10;
   this->Spare.resize(this->Items.size());
   for (unsigned shift = 0; shift < 3 * digit; shift += digit)

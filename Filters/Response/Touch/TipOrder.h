@@ -16,15 +16,15 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * A block of tips, sorted so that each is near the previous one: along Morton's curve of a 1024³
- * grid of cells around them. The search for a contact then begins where the last contact was found,
- * and the memory that it reads is in the cache, for any order of the tips.
+ * A block of tips, sorted so that consecutive tips are close: along Morton's curve through a grid
+ * of 1024³ cells around the tips. The search for a contact then begins where the last contact was
+ * found, and the memory that it reads is in the cache, whatever the order of the tips.
  */
 class TipOrder
 {
 public:
-  /// Largest number of tips of one block: enough for several tips in each part of a large body, and
-  /// few enough for their data to fit in a large cache.
+  /// Largest number of tips of one block. It is large enough for several tips in each part of a
+  /// large body, and small enough for the data of the tips to fit in a large cache.
   static constexpr vtkIdType BlockSize = 1 << 18;
 
   struct Tip
@@ -33,14 +33,14 @@ public:
     Vector3 position;
   };
 
-  /// Sorts the tips first..last-1, at most BlockSize, except those marked in `leftOut`.
+  /// Sorts the tips `first` to `last` - 1, at most BlockSize. Leaves out tips marked in `leftOut`.
   void sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const char* leftOut);
 
-  /// The tips in their given order.
+  /// Returns the tips of the block in the input order.
   const std::vector<Tip>& tips() const { return this->Given; }
 
-  /// Calls visit(k, next) for each of tips() in the sorted order. `next` comes a little later, so
-  /// that its memory can be prefetched.
+  /// Calls visit(k, next) for each of tips() in the sorted order. `next` is a tip that follows a
+  /// few calls later, so its memory can be prefetched.
   template <class Visit>
   void forEach(const Visit& visit) const
   {

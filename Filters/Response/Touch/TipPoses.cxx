@@ -74,7 +74,7 @@ ToolPose TipPoses::at(vtkIdType tip, const Vector3& position)
 
 ToolPose TipPoses::onset(vtkIdType tip, const Vector3& position)
 {
-  constexpr double under = 0.1; // fraction of the distance from the edges of the triangle
+  constexpr double under = 0.1; // fraction of the distance from the triangle's edges
   Vector3 point;
   Vector3 normal;
   const std::int32_t triangle = this->findSite(position, point, normal);

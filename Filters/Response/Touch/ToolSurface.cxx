@@ -26,10 +26,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int ProfilePoints = 48; // without the kinks, each of which adds at most one point
+constexpr int ProfilePoints = 48; // approximate number of points, without the kinks of the profile
 
-/// Radius at which the drawn profile ends: at its outer wall, or at `maximum` if it widens without
-/// end.
+/// Returns the radius at which the drawn profile ends: the radius of its outer wall, or a radius of
+/// at most `maximum` if it widens without end.
 double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
 {
   if (std::isfinite(tool.largestContactRadius()))
@@ -51,8 +51,8 @@ double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
   return inside;
 }
 
-/// Radii at which the profile is drawn: its kinks, and points between them that are denser towards
-/// the outer end, as a sphere's profile needs.
+/// Returns the radii at which the profile is drawn: its kinks, and points between them. The points
+/// are denser towards the outer end, because a sphere is steep there.
 std::vector<double> drawnRadii(const AxisymmetricTool& tool, double outer)
 {
   std::vector<double> ends;
@@ -110,8 +110,8 @@ std::string makeToolSurface(
   turn->CappingOff();
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(turn->GetOutputPort());
-  // The sweep duplicates the points of its start and of the axis. Without merging them the shading
-  // shows a seam.
+  // The sweep duplicates the points at its start and on the axis. They are merged, because
+  // otherwise the shading shows a seam.
   vtkNew<vtkCleanPolyData> merged;
   merged->SetInputConnection(triangles->GetOutputPort());
   merged->ToleranceIsAbsoluteOn();

@@ -25,7 +25,8 @@ struct ToolSurfaceSize
 std::string makeToolSurface(
   const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
 
-/// Moves such a surface so that its tip is at `tip` and its axis along the unit vector `axis`.
+/// Moves a surface made by makeToolSurface: its tip to `tip`, its axis along the unit vector
+/// `axis`.
 void standTool(const Vector3& tip, const Vector3& axis, vtkPolyData* surface);
 } // namespace palpate
 

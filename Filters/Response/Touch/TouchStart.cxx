@@ -20,17 +20,18 @@ namespace palpate
 {
 namespace
 {
-constexpr int PlacesPerSide = 25; // odd: one place is in the middle
+constexpr int PlacesPerSide = 25; // odd, so that one place is in the middle
 constexpr int NeighbourCount = 8;
 constexpr double NeighbourDistance = 2.0; // contact radii
-// Best direction of the normal: part upward divided by part towards the viewer.
+// Best direction of the normal, as the ratio of its upward part to its part towards the viewer.
 constexpr double BestLean = 0.8;
-// Cosine between normal and line of sight; below it a place is hard to see.
+// Cosine of the angle between normal and line of sight. Below this value a place is hard to see.
 constexpr double ClearCosine = 0.5;
-constexpr int FlatnessExponent = 8; // exponent: 10 % of disagreement lowers the rating as much as
-                                    // the far corner of the picture
-constexpr double SmallestValidity = 1e-3; // smallest factor of validity: if no place is within
-                                          // validity, the other factors decide
+/// With this exponent, 10 % of disagreement of the normals lowers the rating as much as a corner of
+/// the picture.
+constexpr int FlatnessExponent = 8;
+/// Smallest factor of validity, > 0: if no place is within validity, the other factors decide.
+constexpr double SmallestValidity = 1e-3;
 
 struct Rectangle
 {
@@ -51,8 +52,8 @@ Vector3 rightOf(const Vector3& up, const Vector3& towards)
   return right.norm() > 1e-6 * up.norm() ? Vector3(right.normalized()) : towards.unitOrthogonal();
 }
 
-/// Lines of sight through the picture of a body. Positions have the units of halfWidth and
-/// halfHeight of `Sight`.
+/// The picture of a body, and the lines of sight through it. The units of positions in the picture
+/// are those of halfWidth and halfHeight of `Sight`.
 class Picture
 {
 public:
@@ -91,14 +92,14 @@ public:
     this->Nearest = sight.isNear ? std::max(this->Nearest, 1e-6 * this->Farthest) : this->Nearest;
   }
 
-  /// The part of the picture that the body fills.
+  /// The rectangle of the picture that contains the visible part of the body.
   const Rectangle& visiblePart() const { return this->Body; }
   bool isEmpty() const
   {
     return this->Body.isEmpty() || (this->View.isNear && !(this->Farthest > this->Nearest));
   }
 
-  /// The visible place at a position in the picture.
+  /// Returns the visible place at a position in the picture.
   TouchedPlace findVisible(TouchedBody& body, double x, double y) const
   {
     const Vector3 aside = x * this->Right + y * this->Up;
@@ -106,7 +107,7 @@ public:
     { return this->View.eye - depth * this->Towards + (this->View.isNear ? depth : 1.0) * aside; };
     return body.hit(point(this->Nearest), point(this->Farthest));
   }
-  /// The visible place along the line of sight through a point.
+  /// Returns the visible place along the line of sight through a point.
   TouchedPlace findTowards(TouchedBody& body, const Vector3& point) const
   {
     const Vector3 off = point - this->View.eye;
@@ -125,7 +126,7 @@ private:
   const Vector3 Right;
   const Vector3 Up;
   Rectangle Body;
-  /// Distance from the plane of the eye, mm.
+  /// Smallest and largest distance of the body from the plane of the eye, mm.
   double Nearest = std::numeric_limits<double>::infinity();
   double Farthest = -std::numeric_limits<double>::infinity();
 };
@@ -140,8 +141,8 @@ std::array<Vector3, 8> cornersOf(const double bounds[6])
   return corners;
 }
 
-/// The mean of the normals at a place and at the places around it. Its length, at most 1, measures
-/// flatness.
+/// Mean of the normals at a place and at the places around it. The length of the mean, at most 1,
+/// is a measure of flatness.
 Vector3 meanNormalAt(
   TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
 {
@@ -163,7 +164,7 @@ Vector3 meanNormalAt(
   return sum / (NeighbourCount + 1);
 }
 
-/// Rates a place as the start of a touch; 0: unsuitable.
+/// Rates a place as the start of a touch. 0 means unsuitable.
 double rate(
   TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
 {
@@ -195,7 +196,7 @@ double rate(
   return flatness * facing * within;
 }
 
-/// Positions in the picture, -1 to 1, from the middle outward.
+/// Returns positions in the picture, each coordinate from -1 to 1, sorted from the middle outward.
 std::vector<Eigen::Vector2d> placesOfPicture()
 {
   std::vector<Eigen::Vector2d> places;
@@ -213,7 +214,7 @@ std::vector<Eigen::Vector2d> placesOfPicture()
   return places;
 }
 
-/// The best visible place; cell -1 for none.
+/// Returns the visible place with the best rating; its cell is -1 if there is no suitable place.
 TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
 {
   const Picture picture(sight, cornersOf(body.bounds()));
@@ -224,7 +225,7 @@ TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
     const double middle = 1.0 - 0.25 * share.squaredNorm();
     if (picture.isEmpty() || middle <= most)
     {
-      break; // no later place can be better, since no factor exceeds 1
+      break; // later places cannot be better, because no factor exceeds 1
     }
     const TouchedPlace place = picture.findVisible(
       body, picture.visiblePart().at(0, share.x()), picture.visiblePart().at(1, share.y()));

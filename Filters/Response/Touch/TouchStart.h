@@ -15,18 +15,18 @@ namespace palpate
 {
 class TouchedBody;
 
-/// The view of a body, and the part of it in the picture. Default: the whole body, from far away
-/// along +z, y up.
+/// The view of a body, and the visible part of the picture. Default: the whole body, seen from a
+/// far point along +z, with y up.
 struct Sight
 {
   Vector3 towards = Vector3::UnitZ(); ///< direction from the body to the viewer, not zero
-  /// Upward direction in the picture; its part along `towards` is ignored.
+  /// Upward direction in the picture. Its component along `towards` is ignored.
   Vector3 up = Vector3::UnitY();
-  /// Position of the viewer, mm; for a far viewer any point of the axis.
+  /// Position of the viewer, mm. For a far viewer, any point of the central line of sight.
   Vector3 eye = Vector3::Zero();
-  bool isNear = false; ///< perspective: the lines of sight meet at the eye
-  /// Half of the picture's size: mm for a far viewer, tangents of the angles for a near one. 0: the
-  /// whole body is in the picture.
+  bool isNear = false; ///< perspective view: the lines of sight meet at the eye
+  /// Half of the picture's size: mm for a far viewer, tangents of the half angles for a near
+  /// viewer. 0: the whole body is in the picture.
   double halfWidth = 0.0;
   double halfHeight = 0.0;
 };
@@ -43,15 +43,15 @@ struct Sight
  * - nearness to the middle of the visible part (one half at its corners). So neither the size of
  *   the triangles nor a thin tail determines the place.
  *
- * If nothing with a response is in the picture, the whole body is viewed from the same direction,
- * then along the axes. The cell is -1 if the body has no response anywhere.
+ * If the picture shows no part of the body with a response, the whole body is viewed from the same
+ * direction, then along the axes. The cell is -1 if the body has no response at all.
  *
  * Cost: 0.17 s on one processor for a ball of 28 thousand triangles, including the locator.
  */
 TouchedPlace findTouchStart(TouchedBody& body, vtkContactTool* tool, const Sight& sight);
 
-/// As above, for a body with the response `name`, whose tool is used. The cell is -1 also if the
-/// body has no such response.
+/// As above, for a body with the response `name`. The tool is the one that the response names. The
+/// cell is -1 also if the body has no such response.
 PALPATERESPONSE_EXPORT TouchedPlace findTouchStart(
   vtkPolyData* body, const std::string& name, const Sight& sight);
 } // namespace palpate

@@ -19,7 +19,7 @@ std::string millimetres(double length)
   return text.data();
 }
 
-/// Three significant digits, including trailing zeros.
+/// Formats a number with three significant digits, including trailing zeros.
 std::string threeDigits(double value)
 {
   std::array<char, 32> text{};

@@ -10,25 +10,25 @@
 
 namespace palpate
 {
-/// One touch, as vtkToolTouch displays it. Body frame; mm, N.
+/// One touch, as vtkToolTouch displays it, in the body's frame (mm, N).
 struct Touch
 {
   Vector3 tip = Vector3::Zero(); ///< tip after snap and indentation
-  TouchedPlace nearest;          ///< nearest place to the given tip
+  TouchedPlace nearest;          ///< point of the body nearest to the given tip
   TouchedPlace place;            ///< place of the contact; cell -1: no contact
-  /// Without contact, contact.normal points away from the surface.
+  /// If there is no contact, contact.normal points away from the surface.
   Contact contact;
   double stiffness = 0.0; ///< slope of the stored curve, N/mm
-  double range = 0.0;     ///< Range of the response at the place
+  double range = 0.0;     ///< Range of the response at the place, mm
   double scale = 0.0;     ///< length of the arrow per force, mm/N
   PlaceValidity validity;
-  double sunk = 0.0;    ///< distance by which another tool lowers the surface here, mm
-  bool isAlone = false; ///< another tool presses, but the response has no coupling
+  double sunk = 0.0;    ///< distance by which another tool lowers the surface at the place, mm
+  bool isAlone = false; ///< whether another tool presses and the response has no coupling
 
   bool touches() const { return this->place.cell >= 0; }
 };
 
-/// The numbers of all touches as plain text with units, one line each.
+/// Returns the numbers of all touches as plain text with units, one line each.
 std::string describeTouches(const std::vector<Touch>& touches, const std::string& tool);
 } // namespace palpate
 

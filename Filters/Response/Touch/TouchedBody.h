@@ -16,7 +16,7 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// The law's validity at a place: that of the triangle's corner with the smallest depth.
+/// Validity of the law at a place: the validity of the triangle's corner with the smallest depth.
 struct PlaceValidity
 {
   bool known = false; ///< whether the response has the arrays Validity and Limit
@@ -26,8 +26,9 @@ struct PlaceValidity
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A body with a response, for the display of a touch: finds the nearest place and evaluates the
-/// stored curves there. Stores the body, and a locator of its triangles that is made on first use.
+/// A body with a response, used to display a touch. It finds the nearest place and evaluates the
+/// stored curves there. It stores the body, and a locator of its triangles that is made on first
+/// use.
 class TouchedBody
 {
 public:
@@ -36,28 +37,29 @@ public:
   TouchedBody(const TouchedBody&) = delete;
   TouchedBody& operator=(const TouchedBody&) = delete;
 
-  /// Returns false and names the missing part if the body does not have the response `name`.
+  /// Sets the body. Returns false, with an error that names the missing part, if the body does not
+  /// have the response `name`.
   bool take(vtkPolyData* body, const std::string& name, std::string& error);
 
-  /// The nearest place of the surface; cell -1 for a body without triangles.
+  /// Returns the nearest place of the surface; its cell is -1 for a body without triangles.
   TouchedPlace nearest(const Vector3& tip);
-  /// The first intersection of the surface with a segment; cell -1 if they do not meet.
+  /// Returns the first intersection of the surface with a segment; its cell is -1 if there is none.
   TouchedPlace hit(const Vector3& from, const Vector3& to);
-  /// The place of a surface point in a cell of the body.
+  /// Returns the place of a surface point in a cell of the body.
   TouchedPlace placeIn(vtkIdType cell, const Vector3& point) const;
 
-  /// Unit normal of the facet, on the side of the response's normals.
+  /// Unit normal of the facet. It points to the same side as the normals of the response.
   Vector3 normal(const TouchedPlace& place) const;
-  /// Whether all corners have a response.
+  /// Whether all corners of the triangle have a response.
   bool isValid(const TouchedPlace& place) const;
   /// Bounds of the body: smallest and largest x, y, z, mm.
   const double* bounds() const;
 
-  /// Depth of the last sample at the place, mm; 0 without a response.
+  /// Depth of the last sample at the place, mm; 0 if the place has no response.
   double range(const TouchedPlace& place) const;
   /// Blended dF/dδ of the three corners' curves, N/mm.
   double stiffness(const TouchedPlace& place, double depth) const;
-  /// The law's validity at the place for a deflection, mm.
+  /// Returns the validity of the law at the place, and the error at the deflection `depth`, mm.
   PlaceValidity validity(const TouchedPlace& place, double depth) const;
 
   /// Force at half of Range, averaged over the points that have a response, N. O(points).
@@ -73,7 +75,7 @@ private:
   ResponseArrays Response;
 };
 
-/// The prefixes of the responses of a body, 'A', 'B'; "" if it has none.
+/// Returns the prefixes of the responses of a body as text, such as "'A', 'B'"; "" if it has none.
 std::string listResponses(vtkPolyData* body);
 } // namespace palpate
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The place where a body is touched, or would be.
+ * A place where a body is or can be touched.
  */
 #ifndef TouchedPlace_h
 #define TouchedPlace_h
@@ -17,7 +17,7 @@ struct TouchedPlace
   vtkIdType cell = -1;               ///< cell of the body; -1: no place
   Vector3 point = Vector3::Zero();   ///< mm
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
-  double distance = 0.0;             ///< distance to the projected point, mm
+  double distance = 0.0;             ///< distance from the given point to this place, mm
 };
 } // namespace palpate
 

@@ -23,10 +23,11 @@ namespace palpate
 {
 namespace
 {
-// Gap between the title and the frame, as a fraction of a line's height.
+// Distance between the title and the frame, as a fraction of a line's height.
 constexpr double TitleGap = 0.4;
 
-/// The smallest of 1, 2, 5 times a power of ten that divides `span` into at most `steps` steps.
+/// Returns the smallest step of the form 1, 2 or 5 times a power of ten that divides `span` into at
+/// most `steps` steps.
 double niceStep(double span, int steps)
 {
   const double least = span / steps;
@@ -42,7 +43,7 @@ std::string textOf(double value)
   return text.data();
 }
 
-/// Puts axis ticks at first, first + 1, ... last times `step`; `label` gives their texts.
+/// Puts axis ticks at `first` to `last` times `step`. `label` returns their texts.
 template <class Label>
 void setTicks(vtkAxis* axis, int first, int last, double step, const Label& label)
 {
@@ -104,7 +105,8 @@ void styleTitle(vtkChart* chart, int size)
 
 void setTitle(vtkChart* chart, const std::string& title)
 {
-  chart->SetTitle(title.empty() ? title : title + "\n "); // the empty line is the gap
+  // The empty line makes a gap below the title.
+  chart->SetTitle(title.empty() ? title : title + "\n ");
 }
 
 void addBand(vtkChart* chart, vtkTable* table, const Color& color)

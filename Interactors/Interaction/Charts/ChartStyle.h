@@ -12,29 +12,29 @@ class vtkTable;
 
 namespace palpate
 {
-/// Sets an axis from 0 to the first tick that is not below `largest`, with at most `steps` steps of
-/// 1, 2 or 5 times a power of ten. (VTK's own choice of ticks differs between versions.) Returns
-/// the end of the axis. If `largest` is not positive and finite, returns 0 and leaves the axis
-/// unchanged.
+/// Sets the range of an axis from 0 to the first tick that is not below `largest`. There are at
+/// most `steps` steps, of 1, 2 or 5 times a power of ten. (VTK's own choice of ticks differs
+/// between versions.) Returns the end of the axis. If `largest` is not positive and finite, returns
+/// 0 and leaves the axis unchanged.
 double fitAxis(vtkAxis* axis, double largest, int steps = 8);
 
-/// Sets an axis from exactly -span to 0.
+/// Sets the range of an axis to exactly -span to 0.
 void fitAxisBefore(vtkAxis* axis, double span, int steps);
 
-/// Sets an axis of the decades 10^first to 10^last for values that are logarithms to the base ten.
-/// It begins `below` before `first`.
+/// Sets an axis for values that are decimal logarithms. Its ticks are the decades 10^first to
+/// 10^last. The axis begins `below` before `first`.
 void fitLogAxis(vtkAxis* axis, int first, int last, double below = 0.0);
 
 /// Sets the title of an axis, and the sizes of title and labels in points.
 void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 
-/// Sets the size of the title in points, and its text ("" for none). VTK alone would put the text
-/// on the frame.
+/// styleTitle sets the size of the title in points. setTitle sets its text; "" means no title.
+/// Without them VTK would draw the text over the frame.
 void styleTitle(vtkChart* chart, int size);
 void setTitle(vtkChart* chart, const std::string& title);
 
-/// Adds a pale area between the second and the third column of a table over its first column. It
-/// has no entry in the legend.
+/// Adds a pale area between the second and the third column of a table, over its first column. The
+/// area has no entry in the legend.
 void addBand(vtkChart* chart, vtkTable* table, const Color& color);
 } // namespace palpate
 

@@ -36,7 +36,7 @@ void ContactCurvesChart::Line::show(const Curve& curve)
       const double force = curve.force(depth);
       this->band.add(depth, (1.0 - error) * force, (1.0 + error) * force);
     }
-    if (before < join && join < depth) // both parts contain the point where they join
+    if (before < join && join < depth) // both parts of the curve contain the point where they join
     {
       this->trusted.add(join, curve.force(join));
       this->beyond.add(join, curve.force(join));

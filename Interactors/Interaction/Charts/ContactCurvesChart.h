@@ -17,7 +17,7 @@ namespace palpate
 class ContactCurvesChart : public LiveChart
 {
 public:
-  static constexpr int Steps = 60; ///< number of steps of a curve
+  static constexpr int Steps = 60; ///< number of intervals of a plotted curve
 
   /// The style of a curve.
   struct Style
@@ -47,9 +47,9 @@ public:
 
   /// Sets the styles, one per curve. Has no effect if the styles are unchanged.
   void choose(const std::vector<Style>& styles);
-  /// Shows one curve per style.
+  /// Shows one curve per style, at the time `time` (s).
   void show(const std::vector<Curve>& curves, double time);
-  /// Places or hides the running point.
+  /// showPoint places the running point, hidePoint hides it.
   void showPoint(double deflection, double force);
   void hidePoint();
 
@@ -59,7 +59,7 @@ private:
     explicit Line(const std::string& label);
     void show(const Curve& curve);
 
-    PlotTable trusted; ///< the part up to validity
+    PlotTable trusted; ///< the part of the curve up to validity
     PlotTable beyond;
     BandTable band;
   };

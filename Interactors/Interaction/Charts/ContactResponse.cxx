@@ -24,17 +24,19 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// A point is assumed to be on the smooth surface if its distance from the plane of its triangle
-/// exceeds this value, in edge lengths. The limit allows for the single precision of the tick's
+/// Smallest distance of a point from the plane of its triangle, in edge lengths, at which the point
+/// is assumed to be on the smooth surface. It allows for the single precision of the tick's
 /// coordinates.
 constexpr double OffPlane = 1e-5;
 
-/// Area coordinates of a point of the patch, found by Gauss-Newton steps from those of its
-/// projection on the facet. Without a patch, returns the area coordinates of the projection.
+/// Returns the area coordinates of a point of the patch. They are found by Gauss-Newton steps from
+/// the area coordinates of the point's projection on the facet. Without a patch, returns the
+/// latter.
 Vector3 weightsOnPatch(
   const Corners& corners, const Corners& normals, const Vector3& point, const Vector3& foot)
 {
-  constexpr int Steps = 5; // convergence is quadratic, and the first error is a few per cent
+  // Sufficient, because convergence is quadratic and the first error is a few per cent.
+  constexpr int Steps = 5;
   SmoothTriangle patch;
   if (!patch.build(corners, normals))
   {
@@ -54,8 +56,8 @@ Vector3 weightsOnPatch(
   return weights.allFinite() ? Vector3(weights / weights.sum()) : foot;
 }
 
-/// Copies the values of three points from an array with `count` values per point. Empty without an
-/// array.
+/// Returns the values of three points from an array with `count` values per point. Returns an empty
+/// list if `values` is null.
 template <class Value>
 std::vector<Value> ofCorners(
   const Value* values, const std::array<vtkIdType, 3>& corners, std::size_t count)

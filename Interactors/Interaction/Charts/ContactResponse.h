@@ -23,8 +23,8 @@ struct ContactTriangle
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
   /// Sets corners and weights from triangle `index` of the body's polygons and a point, mm. The
-  /// point is on the triangle, or on the smooth surface that the normals of the response `name`
-  /// define over it. Returns false if there is no such triangle.
+  /// point must be on the triangle, or on the smooth surface over the triangle that is defined by
+  /// the normals of the response `name`. Returns false if there is no such triangle.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
@@ -36,17 +36,18 @@ struct ContactTriangle
 class ContactResponse
 {
 public:
-  /// Returns null, and an error, if the body has no valid response `name`.
+  /// Makes the object. Returns null and an error if the body has no valid response `name`.
   static std::unique_ptr<ContactResponse> read(vtkPolyData* body, const std::string& name,
     const ContactTriangle& triangle, std::string& error);
 
   /// Force of corner k at a deflection (mm), N; NaN if the corner has no response.
   double cornerForce(int k, double deflection) const;
   double cornerRange(int k) const { return this->Field.range(k); }
-  /// The blended force (N) and range (mm); NaN if a corner of weight > 0 has no response.
+  /// Blended force (N) and blended range (mm); NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
-  /// Estimated relative error of force(), blended in the same way; NaN beyond a range.
+  /// hasError: whether errors are stored. error: the estimated relative error of force(), blended
+  /// in the same way; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
   /// Depth to which all corners are valid, mm; infinite if the body has no validity.
@@ -63,8 +64,8 @@ private:
 
   ResponseField Field; ///< response of the three corners
   Vector3 Weights;
-  std::vector<float> Errors; ///< errors at the samples of the three corners; empty: no errors are
-                             ///< stored
+  /// Errors at the samples of the three corners; empty if none are stored.
+  std::vector<float> Errors;
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

@@ -10,12 +10,12 @@
 namespace palpate
 {
 /**
- * Chart of the ideal and the applied force (N) over the deflection (mm) since the contact last
- * began. If the body relaxes, the slow force at these depths is shown, too; the curve of the ideal
- * force is a loop around it.
+ * Chart of the ideal and the applied force (N) over the deflection (mm), since the last beginning
+ * of a contact. If the body relaxes, the slow force at these deflections is shown, too; the curve
+ * of the ideal force is a loop around it.
  *
- * Successive stored points differ in deflection or in a force by at least the fraction Resolution
- * of the axis. At most the last LargestCount points are stored.
+ * Successive stored points differ in deflection, or in a force, by at least the fraction Resolution
+ * of the axis. At most LargestCount points are stored; the oldest are removed.
  */
 class ForceDeflectionChart : public LiveChart
 {
@@ -25,10 +25,10 @@ public:
 
   ForceDeflectionChart();
 
-  /// `slow` is the ideal force without memory.
+  /// Adds a tick. `slow` is the ideal force without memory.
   void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
-  /// Plots the values that were added, at a time (s).
+  /// Plots the added values, at the time `time` (s).
   void show(double time);
 
 private:
@@ -45,10 +45,10 @@ private:
   PlotTable Applied;
   PlotTable Slow;
   PlotTable Now;
-  vtkPlot* AppliedPlot;   ///< visible if a force is applied
-  vtkPlot* SlowPlot;      ///< visible if the slow force differs from the ideal force
-  std::deque<Point> Path; ///< the last point is the newest tick; its distance from the previous
-                          ///< point may be smaller than Resolution
+  vtkPlot* AppliedPlot; ///< visible if a force is applied
+  vtkPlot* SlowPlot;    ///< visible if the slow force differs from the ideal force
+  /// The last point is the newest tick; it may be closer to the previous point than Resolution.
+  std::deque<Point> Path;
   bool Touches = false;
 };
 } // namespace palpate

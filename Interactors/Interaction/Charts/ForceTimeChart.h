@@ -8,8 +8,9 @@
 
 namespace palpate
 {
-/// Chart of the ideal force, applied force, friction and memory force (N) over the last seconds.
-/// The last three are shown as soon as they occur. A negative memory force is drawn below the axis.
+/// Chart of ideal force, applied force, friction and memory force (N) over the last seconds.
+/// Applied force, friction and memory force are shown as soon as they occur. A negative memory
+/// force is drawn below the axis.
 class ForceTimeChart : public LiveChart
 {
 public:
@@ -21,14 +22,14 @@ public:
   double now() const { return this->Ideal.signal.newest(); }
   void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
-  /// Plots the values that were added; the title shows `lostTicks`.
+  /// Plots the added values. The title shows the number `lostTicks`.
   void show(long long lostTicks);
 
 private:
   struct Line
   {
     explicit Line(double seconds, const char* name);
-    /// Plots the line; returns its largest value.
+    /// Plots the line, and returns its largest value.
     double show(double now);
 
     SignalEnvelope signal;

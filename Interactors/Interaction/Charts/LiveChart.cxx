@@ -23,16 +23,17 @@ namespace
 constexpr int TitleSize = 15;
 constexpr int AxisTitleSize = 14;
 constexpr int LabelSize = 13;
-constexpr int Steps = 5; // largest number of steps of an axis; a chart may be small
+constexpr int Steps = 5; // largest number of steps of an axis, small enough for a small chart
 
-constexpr double Shape = 1.35; // ratio of width to height
+constexpr double Shape = 1.35; // preferred ratio of width to height of a chart
 constexpr float Margin = 6.0F; // pixels around a chart
 
 constexpr int SymbolWidth = 24;      // pixels
-constexpr double LetterWidth = 0.56; // fraction of the font's size, on average
-constexpr double NarrowLegend = 0.3; // fraction of the chart's width
+constexpr double LetterWidth = 0.56; // average width of a letter, as a fraction of the font's size
+/// Widest legend to the right of the data, as a fraction of the chart's width.
+constexpr double NarrowLegend = 0.3;
 
-/// Puts the legend of a chart of this width (pixels) to the right of the data or above the data.
+/// Places the legend of a chart of this width (pixels): to the right of the data or above the data.
 void placeLegend(vtkChartXY* chart, double width)
 {
   std::size_t letters = 0;
@@ -86,7 +87,7 @@ LiveChart::LiveChart(const char* title, const char* across, const char* up)
   styleAxis(this->Chart->GetAxis(vtkAxis::LEFT), up, AxisTitleSize, LabelSize);
   this->Chart->SetShowLegend(true);
   vtkChartLegend* legend = this->Chart->GetLegend();
-  legend->SetInline(false); // outside the data
+  legend->SetInline(false); // outside the data area
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
   legend->SetLabelSize(LabelSize);
   legend->SetSymbolWidth(SymbolWidth);

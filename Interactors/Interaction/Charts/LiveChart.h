@@ -13,8 +13,8 @@ class vtkChartXY;
 
 namespace palpate
 {
-/// Base class of the charts of a live window: title, two axes, and a legend outside the data. The
-/// end of an axis follows the drawn values (ScaleRule).
+/// Base class of the charts of a live window. A chart has a title, two axes, and a legend outside
+/// the data. The ends of the axes follow the drawn values (ScaleRule).
 class LiveChart
 {
 public:
@@ -26,10 +26,10 @@ public:
   vtkChartXY* chart() { return this->Chart; }
   void setTitle(const std::string& title);
 
-  /// Extends an axis, from 0, if it ends before `largest`.
+  /// Extend an axis, which starts at 0, if it ends before `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
-  /// Fits an axis to the largest value that is drawn at a time (s).
+  /// Fit the end of an axis to the largest value that is drawn at the time `time` (s).
   void fitAcross(double largest, double time)
   {
     this->fit(AxisAcross, this->EndAcross, this->RuleAcross, largest, time);
@@ -41,7 +41,7 @@ public:
   /// Ends of the axes; 0 before the first call of growAcross() or growUp().
   double endAcross() const { return this->EndAcross; }
   double endUp() const { return this->EndUp; }
-  /// Resets both ends to 0, from where the axes grow again.
+  /// Resets both ends to 0. The axes then grow again.
   void reset() { this->EndAcross = this->EndUp = 0.0; }
 
 private:
@@ -57,9 +57,9 @@ private:
   ScaleRule RuleUp;
 };
 
-/// Divides a viewport among charts, row by row from the top left, in the number of columns that
-/// makes them largest at a good aspect ratio. The legend is to the right of the data if it is
-/// narrow, otherwise above the data.
+/// Divides a viewport among charts, row by row from the top left. The number of columns makes the
+/// charts as large as possible with a good ratio of width to height. The legend is to the right of
+/// the data if it is narrow, otherwise above the data.
 void layOut(const std::vector<vtkChartXY*>& charts, int width, int height);
 } // namespace palpate
 

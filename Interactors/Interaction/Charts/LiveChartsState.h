@@ -35,27 +35,29 @@ struct vtkLiveCharts::Parts
 
   vtkSmartPointer<vtkRenderer> renderer;
   vtkSmartPointer<vtkHapticSession> session;
-  vtkSmartPointer<vtkPolyData> body; // for ShowTip
+  vtkSmartPointer<vtkPolyData> body; // body for ShowTip
   std::string name = "Response";
-  std::vector<std::pair<std::string, std::string>> compared; // name and label
+  // Prefixes and labels of the compared responses.
+  std::vector<std::pair<std::string, std::string>> compared;
 
   double largestForce = 0.0;
   double largestDeflection = 0.0;
 
-  // The body from which the ranges and curves were made.
+  // Body, time and response for which the ranges and curves were made.
   vtkSmartPointer<vtkPolyData> known;
   vtkMTimeType knownTime = 0;
   std::string knownName;
 
-  // Position up to which the run of a session, or a recording, has been read.
+  // Position up to which the session's run, or a recording, has been read.
   vtkIdType run = 0;
   std::uint64_t seen = 0;
   vtkSmartPointer<vtkPolyData> probed;
   vtkMTimeType probedTime = 0;
   vtkIdType nextTip = 0;
-  palpate::Tick touched; ///< the newest contact
+  palpate::Tick touched; ///< tick of the newest contact
 
-  std::vector<std::pair<palpate::LiveChart*, bool>> all() // in display order, with their visibility
+  // Charts in display order, with their visibility.
+  std::vector<std::pair<palpate::LiveChart*, bool>> all()
   {
     return { { &this->time, this->time.chart()->GetVisible() },
       { &this->way, this->way.chart()->GetVisible() },
@@ -63,9 +65,9 @@ struct vtkLiveCharts::Parts
       { &this->histogram, this->histogram.chart()->GetVisible() } };
   }
 
-  /// Clears the forces; keeps the ranges of the axes.
+  /// Clears the forces and keeps the ranges of the axes.
   void forget();
-  /// Uses the responses of a body from now on, if they differ from the present ones.
+  /// Changes to the responses of a body, if they differ from the present ones.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
   void add(const palpate::Tick& felt);

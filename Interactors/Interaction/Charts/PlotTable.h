@@ -17,8 +17,8 @@
 
 namespace palpate
 {
-/// A table of two columns that is filled again for each picture, and its line or marker. A row of
-/// NaN makes a gap in the line.
+/// A table of two columns, with its line or marker in a chart. It is filled again for each picture.
+/// A row of NaN makes a gap in the line.
 class PlotTable
 {
 public:
@@ -47,7 +47,7 @@ public:
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     this->add(none, none);
   }
-  /// Ends the filling. A table without rows gets a row of NaN, so that the entry in the legend
+  /// Ends the filling. If the table has no rows, adds a row of NaN, so that the entry in the legend
   /// remains.
   void end()
   {
@@ -71,7 +71,7 @@ public:
     auto* points = vtkPlotPoints::SafeDownCast(plot);
     points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     points->SetMarkerSize(size);
-    plot->SetLegendVisibility(false); // the marker in the legend would be as large as a word
+    plot->SetLegendVisibility(false); // a marker in the legend would be too large
     return plot;
   }
 
@@ -94,8 +94,8 @@ private:
   vtkNew<vtkDoubleArray> Y;
 };
 
-/// A table of three columns that is filled again for each picture, with the area between the second
-/// and the third column (addBand). Without rows nothing is drawn.
+/// A table of three columns, with the area between its second and third column (addBand). It is
+/// filled again for each picture. Without rows nothing is drawn.
 class BandTable
 {
 public:
@@ -125,7 +125,8 @@ public:
     this->Least->InsertNextValue(least);
     this->Most->InsertNextValue(most);
   }
-  /// Ends the filling. An area needs at least two rows.
+  /// Ends the filling. Adds rows of zeros if there are fewer than two rows, because an area needs
+  /// two.
   void end()
   {
     while (this->X->GetNumberOfValues() < 2)

@@ -12,12 +12,13 @@
 namespace palpate
 {
 /**
- * The last seconds of a signal in a bounded number of points, at any rate of the signal: the
- * smallest and the largest value, with their times, in each of `bins` equal intervals. No peak is
- * lost. A signal of at most one value per interval is stored unchanged.
+ * Stores the last seconds of a signal in a bounded number of points, whatever the rate of the
+ * signal. Each of `bins` equal intervals of time keeps its smallest and its largest value with
+ * their times, so no peak is lost. A signal with at most one value per interval is stored
+ * unchanged.
  *
- * A pause is a gap if it is longer than GapShare of the seconds and longer than three times the
- * interval before it. Values that are not finite are left out. Times must not decrease.
+ * A pause counts as a gap if it is longer than GapShare of the stored time and longer than three
+ * times the interval before it. Values that are not finite are left out. Times must not decrease.
  */
 class SignalEnvelope
 {
@@ -53,10 +54,10 @@ public:
 
   void clear() { *this = SignalEnvelope(this->Seconds, this->Bins.size() - 1); }
   double seconds() const { return this->Seconds; }
-  /// Time of the newest value; -inf if there is none.
+  /// Time of the newest value, s; -inf if there is none.
   double newest() const { return this->Newest; }
 
-  /// Calls point(time, value) for the values of the last seconds before `now`, oldest first, and
+  /// Calls point(time, value) for the values of the last seconds before `now`, oldest first. Calls
   /// gap() at each gap.
   template <class OnPoint, class OnGap>
   void visit(double now, const OnPoint& point, const OnGap& gap) const
@@ -118,8 +119,8 @@ private:
   double Width; ///< width of a bin, s
   std::vector<Bin> Bins;
   double Newest = -std::numeric_limits<double>::infinity();
-  double Interval = std::numeric_limits<double>::infinity(); ///< time between the newest two
-                                                             ///< values, s
+  /// Time between the last two values, s.
+  double Interval = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate
 

@@ -19,12 +19,12 @@ constexpr float Widths[3] = { 4.0F, 2.0F, 2.0F };
 constexpr int Classes = TickHistogramChart::ClassesPerDecade *
   (TickHistogramChart::LastDecade - TickHistogramChart::FirstDecade);
 constexpr double EmptyClassDepth =
-  0.3; // empty classes are drawn this fraction of a decade below the axis
+  0.3; // fraction of a decade: empty classes are drawn this far below the axis
 
 using Counts = std::array<double, Classes>;
 
-/// Index of the class that contains a duration. The first class includes all shorter durations, the
-/// last class all longer ones.
+/// Returns the index of the class that contains a duration. Shorter durations belong to the first
+/// class, longer ones to the last class.
 int classOf(double microseconds)
 {
   const double decades = std::log10(microseconds) - TickHistogramChart::FirstDecade;
@@ -75,7 +75,7 @@ void TickHistogramChart::fitAxes(int decades, double largestCount)
     this->DecadesAcross = decades;
     fitLogAxis(this->chart()->GetAxis(vtkAxis::BOTTOM), FirstDecade, FirstDecade + decades);
   }
-  // One decade above the counts leaves room for the legend.
+  // The axis extends one decade above the largest count, so that the legend has space.
   const int high = 1 + static_cast<int>(std::ceil(std::log10(std::max(largestCount, 1.0))));
   if (high > this->DecadesUp)
   {

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Histograms of the period, wake-up and duration of ticks. Both axes are logarithmic, with
-/// ClassesPerDecade classes per decade beginning at 0.1 us.
+/// Histograms of the period, wake-up latency and duration of ticks. Both axes are logarithmic.
+/// There are ClassesPerDecade classes per decade, from 0.1 us.
 class TickHistogramChart : public LiveChart
 {
 public:
@@ -20,8 +20,8 @@ public:
 
   TickHistogramChart();
 
-  /// Shows a table of vtkHapticRecorder::GetTimingHistogram. The plotted tables hold logarithms to
-  /// the base ten, one step per class; an empty class is below the axis.
+  /// Shows a table of vtkHapticRecorder::GetTimingHistogram. The tables of the plots contain
+  /// decimal logarithms, one step per class. An empty class is drawn below the axis.
   void show(vtkTable* histogram);
 
 private:

@@ -70,8 +70,9 @@ struct BodyDisplay::Dent
   FieldContact contact;
   double circleRadius = 0.0;
   double circleDepth = 0.0;
-  double edge = 1.0;                    ///< mean length of the edges of the triangle in contact, mm
-  vtkSmartPointer<vtkContactTool> tool; ///< tool of the last field, which has a reference to it
+  double edge = 1.0; ///< mean edge length of the triangle in contact, mm
+  /// Tool of the last field; kept because the field refers to it.
+  vtkSmartPointer<vtkContactTool> tool;
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
 };
@@ -105,7 +106,7 @@ void BodyDisplay::setBody(vtkPolyData* body)
   this->Body = body;
   for (Dent& dent : this->Dents)
   {
-    dent.contact.cell = -1; // the contact was with the former body
+    dent.contact.cell = -1; // no contact, because the old contact was with the old body
   }
   this->BodyTime = 0;
   this->refresh();
@@ -126,7 +127,7 @@ void BodyDisplay::setPoissonRatio(double ratio)
 void BodyDisplay::setResponseName(const std::string& name)
 {
   this->ResponseName = name;
-  this->BodyTime = 0; // the modes differ, so the body is read again
+  this->BodyTime = 0; // the body is read again, because another response may have other modes
   this->refresh();
 }
 
@@ -173,7 +174,7 @@ void BodyDisplay::show(const std::vector<ShownContact>& contacts)
   if (count != this->Dents.size())
   {
     this->Dents.resize(count);
-    this->BodyTime = 0; // the shader needs other code
+    this->BodyTime = 0; // the shader code depends on the number of contacts
   }
   this->Dents.front().contact.cell = -1;
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -224,7 +225,7 @@ void BodyDisplay::takeBody()
   if (this->HasField && this->DrawnTimes == times)
   {
     this->installShader(modes.size());
-    return; // only the responses changed, not the surface
+    return; // the surface is unchanged; only the responses have changed
   }
   this->DrawnTimes.clear();
   const std::string fault = this->HasField ? checkTriangles(this->Body) : std::string();
@@ -337,7 +338,7 @@ void BodyDisplay::showByPoints()
   const bool isNew = this->BodyTime != this->Body->GetMTime();
   if (!this->touches() && !this->IsDented && !isNew)
   {
-    return; // there was no dent and there is none, so the body need not be drawn again
+    return; // not drawn again: there was no dent, and there is none
   }
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;

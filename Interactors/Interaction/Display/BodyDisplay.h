@@ -24,22 +24,22 @@ namespace palpate
 class DentMapper;
 
 /**
- * Draws the body with the dents of its contacts. The dents add up; the length of the displacement
- * gives the colour.
+ * Draws the body with the dents of its contacts. The dents add up. The colour shows the length of
+ * the displacement.
  *
- * With the shader (default) the cost of a frame does not depend on the size of the mesh. Otherwise
- * the displacement of each point is computed in each frame (BodyField). Both draw the same field,
- * see ContactField; for the limits of the shader see DeflectionShader. Pickers that draw
- * (vtkHardwareSelector) always see the displaced surface. Pickers that intersect the data of the
- * actor (vtkCellPicker) see the displaced surface if points are computed, and the undeformed body
- * with the shader.
+ * With the shader (default) the cost of a frame does not depend on the size of the mesh. Without
+ * it, the displacement of each point is computed in each frame (BodyField). Both draw the field of
+ * ContactField; for the limits of the shader see DeflectionShader. Pickers that draw
+ * (vtkHardwareSelector) always find the displaced surface. Pickers that intersect the data of the
+ * actor (vtkCellPicker) find the displaced surface only without the shader, otherwise the
+ * undeformed body.
  *
- * Setters take effect in the next frame. show() notices a changed body.
+ * Setters take effect in the next frame. show() detects a changed body.
  */
 class BodyDisplay
 {
 public:
-  /// `colors` holds the colours and the range of the displacement, mm.
+  /// `colors`: colours and range of the displacement, mm.
   explicit BodyDisplay(vtkLookupTable* colors);
   ~BodyDisplay();
   BodyDisplay(const BodyDisplay&) = delete;
@@ -50,10 +50,10 @@ public:
   void setPoissonRatio(double ratio);
   /// Prefix of the response in use. Default "Response".
   void setResponseName(const std::string& name);
-  /// Distance from the contact at which the field ends, mm. The field fades over its last quarter.
-  /// 0 (default): DeflectionShader::FieldRadii contact radii.
+  /// Sets the distance from the contact at which the field ends, mm. The field fades over the last
+  /// quarter of the distance. 0 (default): DeflectionShader::FieldRadii contact radii.
   void setFieldRadius(double radius);
-  /// Factor by which the drawn dent is deeper than the computed one.
+  /// Sets the factor by which the dent is drawn deeper than computed.
   void setExaggeration(double factor);
   double exaggeration() const;
   void setByShader(bool on);
@@ -62,8 +62,8 @@ public:
   void show(const ShownContact& contact) { this->show(std::vector<ShownContact>{ contact }); }
   void show(const std::vector<ShownContact>& contacts);
 
-  /// Radius of the circle of a shown contact, mm, and depth of the circle below the contact point,
-  /// mm. 0 without contact.
+  /// Radius of the contact circle, mm, and its depth below the contact point, mm. 0 without
+  /// contact.
   double contactRadius(std::size_t contact = 0) const;
   double circleDepth(std::size_t contact = 0) const;
 
@@ -72,7 +72,7 @@ public:
   vtkActor* actor() { return this->Actor; }
 
 private:
-  /// One contact.
+  /// One contact and its field.
   struct Dent;
 
   void takeBody();
@@ -80,11 +80,11 @@ private:
   void refresh();
   void showByShader();
   void showByPoints();
-  /// Makes the field of a dent for drawing. If the body does not allow a field, returns an empty
-  /// field and sets `fault`.
+  /// Makes the field of a dent. If the body does not allow a field, returns an empty field and sets
+  /// `fault`.
   ContactField makeField(Dent& dent, std::string& fault);
   bool touches() const;
-  /// Displacement of each point by one dent.
+  /// Returns the displacement of each point by one dent.
   vtkSmartPointer<vtkFloatArray> displaceByPoints(Dent& dent, std::string& fault);
   void complain(const std::string& fault);
 
@@ -94,13 +94,13 @@ private:
   bool ByShader = true;
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkMTimeType BodyTime = 0;            ///< modification time of the body that the shader draws
-  std::vector<vtkMTimeType> DrawnTimes; ///< modification times of the surface and the modes in the
-                                        ///< mapper
+  vtkMTimeType BodyTime = 0; ///< modification time of the body in the shader
+  /// Modification times of the surface and the modes in the mapper.
+  std::vector<vtkMTimeType> DrawnTimes;
   vtkSmartPointer<vtkContactTool> Tool;
   std::string Fault;       ///< the last reported fault
   bool HasField = true;    ///< whether a field can be drawn on the body
-  double ModeLength = 0.0; ///< longest vector of any mode
+  double ModeLength = 0.0; ///< length of the longest vector of any mode
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;
 

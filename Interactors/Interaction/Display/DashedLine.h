@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Makes lines through points, partly dashed, as input of vtkTubeFilter: no line has two points at
-/// the same position. Each point has a value, which is interpolated linearly along the line.
+/// Makes partly dashed lines through points, as input of vtkTubeFilter, which needs lines without
+/// repeated positions. Each point has a value, which is interpolated linearly along the line.
 class DashedLine
 {
 public:
@@ -26,12 +26,12 @@ public:
 
   /// Begins a line.
   void moveTo(const Eigen::Vector3d& point, double value = 0.0);
-  /// Draws a line from the last point to `point`; dashes continue around corners.
+  /// Continues the line from the last point to `point`. Dashes continue around corners.
   void lineTo(const Eigen::Vector3d& point, double value = 0.0, bool dashed = false);
 
-  /// Whether there is a gap between two dashes.
+  /// Whether a dashed part has at least one gap.
   bool hasGaps() const { return this->HasGaps; }
-  /// Returns all lines so far, with the values as the active scalars `name`.
+  /// Returns all lines drawn so far. The values are the active scalars with the name `name`.
   vtkSmartPointer<vtkPolyData> take(const char* name);
 
 private:
@@ -41,12 +41,12 @@ private:
   double Dash;
   double Gap;
   bool InGap = false;
-  bool IsAfterGap = false; ///< whether a gap has passed since the last dash
+  bool IsAfterGap = false; ///< whether there was a gap since the last dash
   bool HasGaps = false;
   double Remaining; ///< remaining length of the present dash or gap, mm
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
   double LastValue = 0.0;
-  vtkIdType OpenPoints = 0; ///< number of points of the current line
+  vtkIdType OpenPoints = 0; ///< number of points of the line that is being drawn
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkDoubleArray> Values;

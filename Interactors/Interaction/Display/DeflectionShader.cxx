@@ -29,11 +29,11 @@ namespace
 constexpr const char* Declarations = "//VTK::PositionVC::Dec";
 constexpr const char* Beginning = "//VTK::CustomBegin::Impl";
 
-// Functions of the shader for contact h.
-// palpateRange: contact radius, q at the kink, q at the reach, reach.
-// palpateDraw: exaggeration, intervals of the table, start of the fade as a cosine and as a
-// distance.
-// There are no branches, since software renderers compute both sides of a branch.
+// Functions of the shader for the contact with index h.
+// palpateRange: contact radius, q at the kink, q at the reach, reach (q: see DeflectionTable).
+// palpateDraw: exaggeration, number of intervals of the table, start of the fade as a cosine and as
+// a distance.
+// The functions have no branches, because software renderers compute both sides of a branch.
 constexpr const char* Functions = R"(
 in vec3 palpateSurface;
 
@@ -149,12 +149,12 @@ vec3 palpateDents(vec3 x, inout vec3 n)
 }
 )";
 
-/// Uniforms with one value per contact. Only their size changes with the number of contacts.
+/// Uniforms with one value per contact. The number of contacts changes only their size.
 constexpr std::array<const char*, 9> PerContact = { "palpateNear", "palpateBend", "palpateTwist",
   "palpateStep", "palpateContact", "palpateNormal", "palpateRange", "palpateDraw", "palpateTable" };
 
-/// Displaces the vertex first, so that all later code of VTK uses the displaced vertex. The texture
-/// coordinate for colours is called tcoord in VTK, and colorTCoord since 9.3.
+/// The vertex is displaced first, so that all later code of VTK uses the displaced vertex. VTK's
+/// variable for the texture coordinate of colours is called tcoord, and since VTK 9.3 colorTCoord.
 std::string displacement(int modes)
 {
   return std::string(R"(
@@ -171,7 +171,7 @@ std::string displacement(int modes)
 )" + Beginning;
 }
 
-/// The uniforms of all contacts, one after the other.
+/// The values of the uniforms, contact by contact.
 struct Uniforms
 {
   using Three = std::array<float, 3>;
@@ -180,7 +180,7 @@ struct Uniforms
   std::vector<Four> near, bend, twist, range, draw, table;
   std::vector<Three> contact, normal;
   std::vector<float> step;
-  std::array<float, 8> weights{}; // MostModes, rounded up to whole vectors
+  std::array<float, 8> weights{}; // MostModes values, rounded up to whole vectors
 
   void add(const DrawnDent& dent, double exaggeration);
   void give(vtkUniforms* uniforms) const;
@@ -265,7 +265,7 @@ void DeflectionShader::install(const Code& code)
   this->remove();
   this->IsInstalled = true;
   this->Installed = code;
-  // All uniforms are set here, since VTK declares a uniform when it is first set.
+  // All uniforms are set here, because VTK declares a uniform when it is first set.
   setColors(this->Property, 0.0F, 0.0F, 0.0F);
   this->show({}, 1.0);
   const std::string choice = "\n#define PALPATE_CONTACTS " + std::to_string(code.contacts) +
@@ -340,8 +340,8 @@ void DentMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Superclass::RenderPiece(renderer, actor);
 }
 
-// The mapper makes a texture of the lookup table, and only the mapper can map a value to its
-// texture coordinate. Therefore this function lets the mapper map the two ends of the range.
+// The mapper makes a texture of the lookup table. Only the mapper can convert a value to its
+// texture coordinate. Therefore this function lets the mapper convert the two ends of the range.
 void DentMapper::updateColors()
 {
   vtkScalarsToColors* colors = this->GetLookupTable();

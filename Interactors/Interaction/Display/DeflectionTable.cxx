@@ -11,11 +11,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double HalfParameter = 0.5; // q that divides the table of a tool without a kink
+constexpr double HalfParameter = 0.5; // q at the end of the first segment for a tool without a kink
 constexpr double LongestReach = 1e3;  // largest reach of a table, in contact radii
 constexpr int Last = DeflectionTable::Intervals;
 
-/// q of a distance r. `sine` is r/a within the contact and a/r outside.
+/// Returns q of a distance r. `sine` is r/a within the contact and a/r outside.
 double parameterOf(double sine)
 {
   return sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - sine * sine)));
@@ -50,14 +50,14 @@ DeflectionTable::DeflectionTable(const ContactField& field, double reach, double
     const double r = this->distanceOf(i);
     const auto before = this->at(std::abs(r - edge));
     const auto after = this->at(r + edge);
-    const double mirrored = r < edge ? -1.0 : 1.0; // u_r is odd in r
+    const double mirrored = r < edge ? -1.0 : 1.0; // u_r is an odd function of r
     Node& node = this->nodes[static_cast<std::size_t>(i)];
     node[2] = static_cast<float>((after[0] - mirrored * before[0]) / (2.0 * edge));
     node[3] = static_cast<float>((after[1] - before[1]) / (2.0 * edge));
   }
 }
 
-/// r at a node, mm.
+/// Returns r at a node, mm.
 double DeflectionTable::distanceOf(int node) const
 {
   const double a = static_cast<double>(this->radius);
@@ -75,7 +75,7 @@ double DeflectionTable::distanceOf(int node) const
   }
 }
 
-/// u_r and u_z, interpolated as in the shader.
+/// Returns u_r and u_z, interpolated as in the shader.
 std::array<double, 2> DeflectionTable::at(double r) const
 {
   const double a = static_cast<double>(this->radius);

@@ -52,7 +52,7 @@ int attributeCount(int modes)
   return (modes * FloatsPerMode + FloatsPerAttribute - 1) / FloatsPerAttribute;
 }
 
-/// GLSL expression for float number `place` of a vertex.
+/// Returns the GLSL expression for the float with index `place` of a vertex.
 std::string component(int place)
 {
   return attribute(place / FloatsPerAttribute) + "[" + std::to_string(place % FloatsPerAttribute) +
@@ -72,8 +72,8 @@ Vector3 valueAt(vtkDataArray* mode, std::int32_t point)
   return value;
 }
 
-/// -(∇φ)ᵀ n at a point: the mean over the triangles around the point, weighted by area. φ is linear
-/// in each triangle.
+/// Returns -(∇φ)ᵀ n at a point, as the area-weighted mean over the triangles around the point. φ is
+/// linear in each triangle.
 Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
 {
   const Vector3 normal = mesh.pointNormal(point);
@@ -88,7 +88,7 @@ Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
     const Vector3 up = twice.normalized();
     for (std::size_t i = 0; i < 3; ++i)
     {
-      // Twice the area times the gradient of area coordinate i.
+      // Twice the area times the gradient of area coordinate i of the triangle.
       const Vector3 gradient = up.cross(p[(i + 2) % 3] - p[(i + 1) % 3]);
       sum -= normal.dot(valueAt(mode, corners[i])) * gradient;
     }
@@ -107,7 +107,7 @@ void DrawnSurface::give(
   drawn->CopyStructure(surface);
   const BodyMesh mesh = makeBodyMesh(surface);
   drawn->GetPointData()->SetNormals(normalsOf(mesh));
-  vtkNew<vtkFloatArray> none; // the mapper needs an array to make a texture of the colours
+  vtkNew<vtkFloatArray> none; // the mapper makes a texture of the colours only if this array exists
   none->SetName(Displacement);
   none->SetNumberOfTuples(drawn->GetNumberOfPoints());
   none->Fill(0.0);

@@ -15,8 +15,8 @@ class vtkDataArray;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
-/// Data of a body that a DeflectionShader moves: its triangles with normals, its global modes, and
-/// scalars for the colours.
+/// Makes the input of the mapper whose vertices a DeflectionShader moves: the body's triangles with
+/// normals, its global modes, and scalars for the colours.
 namespace palpate::DrawnSurface
 {
 constexpr const char* Displacement = "ContactDisplacement";
@@ -25,8 +25,8 @@ constexpr const char* Normals = "SurfaceNormals";
 /// Sets the surface of a body as input of a mapper. The body must have passed checkTriangles.
 void give(vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper);
 
-/// Modification times of the surface and the modes. They are unique, so equal times mean the same
-/// data.
+/// Returns the modification times of the surface and of the modes. Modification times are unique,
+/// so equal times mean equal data.
 std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes);
 
 /// Mean length of the edges of a triangle, mm.
@@ -40,23 +40,25 @@ namespace palpate
 {
 class BodyMesh;
 
-constexpr std::size_t MostModes = 6; ///< limited by vertex attributes
+constexpr std::size_t MostModes = 6; ///< limited by the number of vertex attributes
 
 /**
- * Passes the global modes of a body as vertex attributes. A mode has the displacement φ and its
- * turn of the normal, d = -(∇φ)ᵀ n: six floats. They are packed four per attribute, since shaders
- * have few attributes. A surface that moves by w φ turns its normal n to n + w d, for small w.
+ * Passes the global modes of a body as vertex attributes. The data of a mode are its displacement φ
+ * and the change of the normal, d = -(∇φ)ᵀ n: six floats. They are packed four per attribute,
+ * because shaders have few attributes. If the surface moves by w φ, its normal changes from n to n
+ * + w d, for small w.
  *
- * Adds the packed arrays to `drawn`, which has the points of `mesh`, and maps them. Modes after the
- * first MostModes are left out.
+ * Adds the packed arrays to `drawn`, which must have the points of `mesh`, and maps them. Modes
+ * after the first MostModes are left out.
  */
 void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& modes,
   vtkPolyData* drawn, vtkPolyDataMapper* mapper);
 
-/// GLSL that declares the attributes of the modes.
+/// Returns GLSL that declares the attributes of the modes.
 std::string modeDeclarations(int modes);
-/// GLSL that adds the modes, multiplied by the weights in the array named `weights`, to
-/// `displacement`, and their turns, multiplied by `exaggeration`, to `normal`.
+/// Returns GLSL that adds two sums: to `displacement` the modes times their weights, and to
+/// `normal` the changes of the normal times the weights and `exaggeration`. `weights` is the name
+/// of the array of weights.
 std::string modeSum(int modes, const std::string& weights, const std::string& displacement,
   const std::string& normal, const std::string& exaggeration);
 } // namespace palpate

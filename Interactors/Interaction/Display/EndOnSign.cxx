@@ -27,7 +27,7 @@ constexpr double SmallestDot = 3.0;      // pixels
 constexpr double DotShare = 0.12;        // fraction of the ring's radius
 constexpr double LargestRingShare = 0.3; // fraction of the picture's smaller side
 
-/// Adds the corners of a circle around the origin, pixels. Returns the first.
+/// Adds the corners of a circle around the origin, pixels. Returns the id of the first corner.
 vtkIdType addCircle(vtkPoints* points, double radius)
 {
   const vtkIdType first = points->GetNumberOfPoints();

@@ -14,13 +14,13 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// The sign of an arrow that is seen end-on: a ring with a dot for an arrow towards the viewer, a
-/// ring with a cross for an arrow away from the viewer. The diameter of the ring is the length that
-/// the arrow has when seen from the side, but at least SmallestRadius twice.
+/// The sign of an arrow that is seen end-on. An arrow towards the viewer is marked by a ring with a
+/// dot, an arrow away from the viewer by a ring with a cross. The diameter of the ring is the
+/// length of the arrow as seen from the side, but at least twice SmallestRadius.
 class EndOnSign
 {
 public:
-  /// An arrow is seen end-on if its angle to the line of sight is below this, degrees.
+  /// An arrow is seen end-on if its angle to the line of sight is below this value, degrees.
   static constexpr double LargestAngle = 20.0;
   static constexpr double SmallestRadius = 8.0; ///< pixels
 
@@ -29,12 +29,12 @@ public:
   EndOnSign(const EndOnSign&) = delete;
   EndOnSign& operator=(const EndOnSign&) = delete;
 
-  /// Draws the sign at the head of the arrow, if the renderer's camera sees the arrow end-on.
+  /// Draws the sign at the head of the arrow, if the camera of the renderer sees the arrow end-on.
   void show(vtkRenderer* renderer, const Eigen::Vector3d& tail, const Eigen::Vector3d& head);
   void hide();
   bool isShown() const { return this->Radius > 0.0; }
 
-  /// Radius of the ring, mm at the head; 0 if there is no sign.
+  /// Radius of the ring, in mm at the place of the head; 0 if no sign is drawn.
   double radius() const { return this->Radius; }
   vtkActor2D* actor() { return this->Actor; }
 

@@ -38,8 +38,8 @@ constexpr double ArcTubeRadius = 0.55; // mm
 constexpr double ArcHeadRadius = 1.6;  // mm
 constexpr double ArcHeadLength = 3.6;  // mm
 constexpr double ArcMostTurn = 5.2;    // rad
-constexpr double ArcStart = 0.15;      // rad, so that the arc starts clear of the surface
-constexpr double ArcLeastTurn = 0.15;  // rad; below this only the head is drawn
+constexpr double ArcStart = 0.15;      // rad, gap between the start of the arc and the surface
+constexpr double ArcLeastTurn = 0.15;  // rad; for a smaller arc only the head is drawn
 constexpr int ArcSides = 24;
 constexpr int ArcPieces = 48;
 constexpr int ArcLabelSize = 18; // points
@@ -69,8 +69,8 @@ ForceArrow::ForceArrow(const ArrowLook& look)
   text->SetColor(this->Look.color.data());
   text->SetFontSize(look.labelSize);
   text->SetBold(look.bold ? 1 : 0);
-  text->SetBackgroundColor(BackgroundColor.data()); // the tool and other arrows may be behind the
-                                                    // text
+  // Makes the text readable in front of the tool and other arrows.
+  text->SetBackgroundColor(BackgroundColor.data());
   text->SetBackgroundOpacity(look.labelOpacity);
   this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
   this->hide();
@@ -134,7 +134,7 @@ void ForceArrow::addTo(std::vector<LabelObstacle>& obstacles) const
     return;
   }
   obstacles.push_back({ this->tail(), this->Head, this->Shaft->GetRadius() });
-  // The cone is wide at its base only.
+  // Only the wide part of the cone, near its base, is an obstacle.
   const Eigen::Vector3d cone = this->Cone->GetHeight() * this->ArrowVector.normalized();
   obstacles.push_back({ this->Head - cone, this->Head - 0.6 * cone, this->Cone->GetRadius() });
 }

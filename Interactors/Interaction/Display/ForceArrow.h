@@ -21,8 +21,8 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// Style of an arrow: radius of its shaft, radius and length of its head, mm. The head is at most
-/// 40 % of the arrow; head and shaft of a very short arrow are thinner.
+/// Style of an arrow: radius of the shaft, radius and length of the head, mm. The head is at most
+/// 40 % of the arrow, so head and shaft of a very short arrow are thinner.
 struct ArrowLook
 {
   Color color;
@@ -34,7 +34,7 @@ struct ArrowLook
   double labelOpacity; ///< opacity of the background of the label
 };
 
-/// One force as an arrow, with its value in N at the head.
+/// One force, drawn as an arrow with its value in N at the head.
 class ForceArrow
 {
 public:
@@ -43,13 +43,13 @@ public:
   ForceArrow(const ForceArrow&) = delete;
   ForceArrow& operator=(const ForceArrow&) = delete;
 
-  /// Draws the arrow from `origin` (mm) at `scale` mm per N. The label is `name` and the magnitude.
-  /// A force that is zero or not finite is not drawn.
+  /// Draws the arrow from `origin` (mm) with `scale` mm per N. The label is `name` and the
+  /// magnitude. Draws nothing if the force is zero or not finite.
   void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
     const std::string& name = "");
   void hide();
   bool isShown() const;
-  /// Moves the same arrow to another origin.
+  /// Moves the arrow to another origin.
   void moveTo(const Eigen::Vector3d& origin);
 
   Eigen::Vector3d tail() const { return this->Head - this->ArrowVector; }
@@ -57,7 +57,7 @@ public:
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
   LabelPlace* labelPlace() { return &this->Place; }
-  /// Adds shaft and head to the parts that labels leave free.
+  /// Adds shaft and head to the obstacles, which labels must not cover.
   void addTo(std::vector<LabelObstacle>& obstacles) const;
 
 private:
@@ -71,8 +71,8 @@ private:
   vtkSmartPointer<vtkTextActor> Label;
 };
 
-/// A torque as an arc around its point, in the direction of rotation, with its value in N mm at the
-/// head.
+/// A torque, drawn as an arc around its point in the direction of rotation, with its value in N mm
+/// at the head.
 class TorqueArc
 {
 public:
@@ -83,9 +83,9 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// Draws the arc around `center` (mm), beginning on the side of `from`. A force at the arc's
-  /// radius with the same torque would have an arrow as long as the arc, at `scale` mm per N. The
-  /// arc is at most 5.2 rad. A torque that is zero or not finite is not drawn.
+  /// Draws the arc around `center` (mm), beginning on the side of `from`. The length of the arc is
+  /// that of an arrow (`scale` mm per N) for a force that has the same torque at the radius of the
+  /// arc. The arc is at most 5.2 rad long. Draws nothing if the torque is zero or not finite.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();
@@ -96,7 +96,7 @@ public:
   vtkActor* actor() { return this->Actor; }
   vtkTextActor* label() { return this->Label; }
   LabelPlace* labelPlace() { return &this->Place; }
-  /// Adds the arc to the parts that labels leave free.
+  /// Adds the arc to the obstacles, which labels must not cover.
   void addTo(std::vector<LabelObstacle>& obstacles) const;
 
 private:

@@ -20,9 +20,9 @@ namespace
 constexpr double TrailRadius = 0.5;       // mm
 constexpr double TrailDash = 1.5;         // mm
 constexpr double TrailGap = 1.5;          // mm
-constexpr double SmallestDistance = 0.05; // mm, smallest distance between two contacts
-// mm, distance of contacts between two pictures: on a body with a radius of 5 mm the line is then
-// 0.03 mm below the surface
+constexpr double SmallestDistance = 0.05; // mm, between two contacts
+// Distance of contacts between two pictures, mm. On a body with a radius of 5 mm the line is then
+// at most 0.03 mm below the surface.
 constexpr double PassedDistance = 1.0;
 } // namespace
 

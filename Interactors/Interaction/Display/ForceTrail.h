@@ -17,37 +17,37 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// The path of the contact: a line through the contact points, coloured by the force there. It is
-/// dashed beyond validity and interrupted without contact.
+/// Draws the path of the contact: a line through the contact points, coloured by the force at each
+/// point. The line is dashed beyond validity and interrupted where there is no contact.
 class ForceTrail
 {
 public:
-  /// `colors` holds the colours and the range of the force, N.
+  /// `colors`: colours and range of the force, N.
   explicit ForceTrail(vtkLookupTable* colors);
   ~ForceTrail();
   ForceTrail(const ForceTrail&) = delete;
   ForceTrail& operator=(const ForceTrail&) = delete;
 
   void clear();
-  /// Shows a whole path.
+  /// Shows a complete path.
   void show(const std::vector<ShownContact>& way);
-  /// Adds the contact of a picture, and keeps the contacts of the newest `most` pictures. Replaces
-  /// a path set by show().
+  /// Adds the contact of a picture, and keeps only the contacts of the newest `most` pictures.
+  /// Replaces a path that was set by show().
   void follow(const ShownContact& contact, std::size_t most);
-  /// Between two calls of follow(): adds a contact between two pictures, so that the line stays on
-  /// the surface when the hand is fast.
+  /// Adds a contact between two pictures. Call it between two calls of follow(), so that the line
+  /// stays on the surface when the hand is fast.
   void pass(const ShownContact& contact) { this->add(contact, false); }
-  /// Whether pass() with a contact at this point would change the line visibly.
+  /// Whether pass() with a contact at this point would visibly change the line.
   bool isFar(const Eigen::Vector3d& point) const;
-  /// Between two calls of follow(): the tool lost the contact.
+  /// Ends the line, because the tool has lost the contact. Call it between two calls of follow().
   void lift();
 
-  /// True if no line is visible.
+  /// Whether no line is visible.
   bool isEmpty() const { return this->Contacts.size() < 2; }
   /// Largest force along the line, N; 0 without contact.
   double largestForce() const;
-  /// Explains the gaps of the line, "gap: no contact", and its dashes, "dashed: beyond validity";
-  /// "" without both.
+  /// Returns an explanation of the gaps, "gap: no contact", and of the dashes, "dashed: beyond
+  /// validity"; "" if there are neither.
   std::string gapsInWords() const;
   vtkActor* actor() { return this->Actor; }
 
@@ -71,7 +71,7 @@ private:
   bool IsNear = false;      ///< whether the next contact may replace the last one
   bool InAir = true;
   bool IsLive = false;
-  bool IsDashed = false; ///< whether a part beyond validity leaves a gap in the drawn line
+  bool IsDashed = false; ///< whether the drawn line has gaps because of a part beyond validity
   vtkSmartPointer<vtkTubeFilter> Tube;
   vtkSmartPointer<vtkActor> Actor;
 };

@@ -23,14 +23,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double Spacing = 2.0;         // pixels, between texts, and between a text and an obstacle
-constexpr double HeadDistance = 10.0;   // pixels, from the head
-constexpr double DistanceStep = 6.0;    // pixels, between the rings of places around the head
-constexpr int Directions = 16;          // places in a ring
-constexpr double SteadyDistance = 40.0; // pixels
-constexpr double WrongSide = 20.0;      // pixels by which the side away from the arrow is preferred
-constexpr double SideLess = 4.0;        // pixels; a shorter arrow points to no side
-constexpr double CoveredObstacle = 1e5; // pixels; more than any distance
+constexpr double Spacing = 2.0;       // pixels, between texts, and between a text and an obstacle
+constexpr double HeadDistance = 10.0; // pixels, smallest distance from the head
+constexpr double DistanceStep = 6.0;  // pixels, between successive rings of places around the head
+constexpr int Directions = 16;        // number of places in a ring
+constexpr double SteadyDistance = 40.0; // pixels by which another place must be nearer
+constexpr double WrongSide = 20.0;      // pixels, cost of the side away from the arrow
+constexpr double SideLess = 4.0;        // pixels; a shorter arrow has no preferred side
+constexpr double CoveredObstacle = 1e5; // pixels, cost of a covered obstacle; exceeds any distance
 constexpr double NoPlace = std::numeric_limits<double>::infinity();
 
 /// The box of a text, in pixels of the window.
@@ -56,14 +56,14 @@ struct Box
   }
 };
 
-/// A line of this half width, in pixels of the window.
+/// A line with a half width `radius`, in pixels of the window.
 struct Bar
 {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
   double radius;
 
-  /// Whether the line crosses the box enlarged by the half width.
+  /// Whether the line with its half width crosses the box.
   bool covers(const Box& box) const
   {
     const Eigen::Vector2d low = box.low.array() - this->radius - Spacing;
@@ -101,8 +101,8 @@ Eigen::Vector3d toWorld(vtkRenderer* renderer, const Eigen::Vector3d& display)
   return world.head<3>() / world.w();
 }
 
-/// The boxes of the visible texts and legends among the props of a renderer. (The texts of arrows
-/// are parts of an assembly.)
+/// Returns the boxes of the visible texts and legends among the props of a renderer. The texts of
+/// arrows are not among them, because they are parts of an assembly.
 std::vector<Box> captionsOf(vtkRenderer* renderer)
 {
   std::vector<Box> boxes;
@@ -135,7 +135,7 @@ std::vector<Box> captionsOf(vtkRenderer* renderer)
   return boxes;
 }
 
-/// The search for the place of one text.
+/// Finds the place of one text.
 class PlaceSearch
 {
 public:
@@ -149,12 +149,12 @@ public:
     , Head(head)
     , Size(size)
     , Side(leftwards ? -1.0 : 1.0)
-    // The first place: on the side to which the arrow points, level with the head.
+    // The first place is on the side to which the arrow points, level with the head.
     , Best{ head + Eigen::Vector2d(leftwards ? -HeadDistance - size.x() : HeadDistance, 0.0), size }
   {
   }
 
-  /// Returns the best box. `last` is the place in the last picture, if it is preferred.
+  /// Returns the best box. `last`: the place in the last picture, if that place is preferred.
   Box find(const std::optional<Eigen::Vector2d>& last)
   {
     this->consider(Box(this->Best), 0.0);
@@ -176,7 +176,8 @@ public:
   }
 
 private:
-  /// The box whose centre is in a direction from the head, `away` pixels beyond contact.
+  /// Tries the box whose centre is in the direction `angle` from the head. The box is `away` pixels
+  /// from the head.
   void considerAround(double angle, double away)
   {
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
@@ -212,7 +213,8 @@ private:
   Eigen::Vector2d Head;
   Eigen::Vector2d Size;
   double Side;
-  Box Best; ///< the first place if the texts before leave no room in the window
+  /// Initially the first place, which is used if no place in the window is free of earlier texts.
+  Box Best;
   double LeastCost = NoPlace;
 };
 } // namespace

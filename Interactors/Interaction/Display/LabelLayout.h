@@ -11,15 +11,15 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// Where a label stood in the last picture: its lower left corner relative to the head of its
-/// arrow, pixels.
+/// Place of a label in the last picture: its lower left corner relative to the head of its arrow,
+/// pixels.
 struct LabelPlace
 {
   bool isKnown = false;
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
 };
 
-/// A text that belongs to the head of an arrow.
+/// A text at the head of an arrow.
 struct AnchoredLabel
 {
   vtkTextActor* text; ///< positioned in world coordinates
@@ -28,7 +28,7 @@ struct AnchoredLabel
   LabelPlace* place;
 };
 
-/// A part of the scene that labels leave free: all points within `radius` (mm) of a line.
+/// A part of the scene that labels must not cover: all points within `radius` (mm) of a line.
 struct LabelObstacle
 {
   Eigen::Vector3d from;
@@ -37,12 +37,12 @@ struct LabelObstacle
 };
 
 /// Places each text near the head of its arrow, on the side to which the arrow points. A text stays
-/// inside the viewport. It covers neither an earlier text nor an obstacle, nor a caption or legend
-/// among the renderer's props: it stands at the nearest free place around the head. Without any
-/// free place it covers as few of these as possible, but no earlier text.
+/// inside the viewport. It must not cover an earlier text, an obstacle, or a caption or legend
+/// among the props of the renderer. So it is placed at the nearest free place around the head. If
+/// there is no free place, the text covers as few of these as possible, but no earlier text.
 ///
-/// With `steady`, a text remains where it stood relative to its head until another place is nearer
-/// by SteadyDistance pixels or its own place is no longer free.
+/// With `steady`, a text stays at its place relative to its head. It moves only if another place is
+/// nearer by at least SteadyDistance pixels, or if its place is no longer free.
 void arrangeLabels(vtkRenderer* renderer, const std::vector<AnchoredLabel>& labels,
   const std::vector<LabelObstacle>& obstacles, bool steady);
 } // namespace palpate

@@ -7,17 +7,17 @@
 
 namespace palpate
 {
-/// When the end of a scale changes: one rule for arrows, colours and the axes of charts. A scale
-/// grows at once if a drawn value exceeds its end. It shrinks if for Seconds all drawn values have
-/// been below Share of its end.
+/// Decides when the end of a scale changes. Arrows, colours and the axes of charts use this rule. A
+/// scale grows immediately if a drawn value exceeds its end. It shrinks if all drawn values have
+/// been below Share of its end for the time Seconds.
 class ScaleRule
 {
 public:
   static constexpr double Share = 1.0 / 3.0;
   static constexpr double Seconds = 3.0;
 
-  /// Whether a scale that ends at `end` must be fitted to `largest`, the largest value that is
-  /// drawn at `time` (s). It does not shrink if `largest` is not positive or `time` not finite.
+  /// Whether a scale that ends at `end` must be adapted to `largest`, the largest value drawn at
+  /// `time` (s). The scale does not shrink if `largest` is not positive or `time` is not finite.
   bool mustChange(double largest, double end, double time)
   {
     constexpr double never = std::numeric_limits<double>::quiet_NaN();
@@ -31,7 +31,7 @@ public:
       this->SmallSince = never;
       return false;
     }
-    if (!(this->SmallSince <= time)) // also after a restart of the time
+    if (!(this->SmallSince <= time)) // also true if the time has restarted
     {
       this->SmallSince = time;
     }
@@ -41,7 +41,8 @@ public:
   }
 
 private:
-  double SmallSince = std::numeric_limits<double>::quiet_NaN(); ///< s; NaN: not small
+  /// Time since which values have been small, s; NaN: not small.
+  double SmallSince = std::numeric_limits<double>::quiet_NaN();
 };
 } // namespace palpate
 

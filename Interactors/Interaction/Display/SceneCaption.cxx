@@ -56,25 +56,25 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
-/// The error of the force. Beyond validity it has three digits, so that an error just above the
-/// tolerance does not look like the tolerance.
+/// Returns the error of the force as text. Beyond validity the text has three digits, so that an
+/// error just above the tolerance differs from the tolerance.
 std::string errorOf(const ShownContact& contact)
 {
-  constexpr double rounded = 0.0995; // 10 % and more have two digits anyway
+  constexpr double rounded = 0.0995; // errors from 10 % upward have two digits in any case
   return contact.isValid() || !(contact.error < rounded)
     ? errorInWords(contact.error)
     : " \u00b1 " + shortly(100.0 * contact.error) + " %";
 }
 
-/// Text with the deflection of the tool's own dent, and with the depth of the tip if other tools
-/// make the two differ.
+/// Returns the depth of the tool's own dent as text. If other tools lower the surface, the text
+/// also gives the depth of the tip.
 std::string deflectionOf(const ShownContact& contact)
 {
   return millimetres(contact.tick.contact.deflection) +
     (contact.isLowered() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
 }
 
-/// Breaks a text into lines of at most `letters` letters, at blanks, preferably after a comma or
+/// Breaks a text at blanks into lines of at most `letters` letters, preferably after a comma or a
 /// colon.
 std::string wrapped(const std::string& text, std::size_t letters)
 {
@@ -138,7 +138,7 @@ void SceneCaption::describe(
         ", friction " + newtons(contact.tick.contact.friction)
       : "";
     const double torque = contact.tick.contact.torque.norm();
-    constexpr double upright = 1e-3; // rad
+    constexpr double upright = 1e-3; // rad; a smaller tilt is not mentioned
     if (contact.tick.contact.tilt > upright)
     {
       text += "\nTilted by " + degrees(contact.tick.contact.tilt);

@@ -12,8 +12,7 @@ namespace palpate
 {
 struct ShownContact;
 
-/// The text in the corner of a scene: a title, the contact, a remark. Parts that are not needed are
-/// left out.
+/// The text in the corner of a scene: a title, the contact, a remark. Empty parts are left out.
 class SceneCaption
 {
 public:
@@ -24,15 +23,15 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// Sets the text of the contact, which the next write() shows.
+  /// Sets the text about the contact. The next write() shows it.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
-  /// Call after describe(): adds a line for another hand.
+  /// Adds a line for another hand. Call it after describe().
   void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
-  /// Writes the text into a strip of the picture with this width, pixels. Longer lines are broken;
-  /// in a narrow strip the font is smaller.
+  /// Writes the text into a strip of the picture with the width `width`, pixels. Long lines are
+  /// broken. In a narrow strip the font is smaller.
   void write(double width);
   /// Height of the text above the lower edge of the picture, pixels.
   double height() const { return this->Height; }

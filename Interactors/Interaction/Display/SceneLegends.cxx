@@ -33,13 +33,14 @@ namespace palpate
 namespace
 {
 constexpr int LegendSize = 15;
-constexpr double LegendWidth = 175.0;   // pixels
-constexpr double CaptionHeight = 160.0; // pixels free below the legends, so that the legends do not
-                                        // move
+constexpr double LegendWidth = 175.0; // pixels
+/// Height that is always free below the legends, so that they do not move when the caption grows,
+/// pixels.
+constexpr double CaptionHeight = 160.0;
 constexpr double LegendBottom = 0.15;
 constexpr double LegendTop = 0.97;
 
-/// Fills the table with the interpolated colours.
+/// Fills the table with colours interpolated between the given ones.
 void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
 {
   constexpr int size = 256;
@@ -63,10 +64,10 @@ const std::string ForceTitle = "Force (N)";
 
 void setLegendTitle(vtkScalarBarActor* legend, const std::string& title)
 {
-  legend->SetTitle((title + "\n ").c_str()); // an empty line above the bar
+  legend->SetTitle((title + "\n ").c_str()); // the empty line makes a gap above the bar
 }
 
-/// Styles a legend: a narrow bar with a title and five numbers in `fontSize` points.
+/// Sets the style of a legend: a narrow bar with a title and five numbers in `fontSize` points.
 void styleLegend(
   vtkScalarBarActor* legend, vtkLookupTable* table, const std::string& title, int fontSize)
 {
@@ -116,7 +117,7 @@ void SceneLegends::explainGaps(const std::string& words)
 
 double SceneLegends::share(vtkRenderer* renderer)
 {
-  // Keeps the size in pixels for any width of the viewport.
+  // The width of the legends in pixels is the same for any width of the viewport.
   const int width = renderer ? std::max(renderer->GetSize()[0], 1) : 1;
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }
@@ -197,7 +198,8 @@ void ForceScale::place(vtkRenderer* renderer, const Eigen::Vector3d& contact)
   {
     corners->InsertNextPoint(x, Height + y, 0.0);
   }
-  vtkNew<vtkCellArray> parts; // shaft and head are separate, as their union is not convex
+  // Shaft and head are separate polygons, because their union is not convex.
+  vtkNew<vtkCellArray> parts;
   parts->InsertNextCell({ 0, 1, 5, 6 });
   parts->InsertNextCell({ 2, 3, 4 });
   this->Shape->SetPoints(corners);

@@ -18,8 +18,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// The colour scales of a scene and their legends in a column at the right edge: one legend for the
-/// displacement (mm), one for the force along the trail (N).
+/// The colour scales of a scene, and their legends in a column at the right edge. One legend is for
+/// the displacement (mm), one for the force along the trail (N).
 class SceneLegends
 {
 public:
@@ -33,12 +33,12 @@ public:
   vtkScalarBarActor* displacement() { return this->Displacement; }
   vtkScalarBarActor* force() { return this->Force; }
 
-  /// Adds an explanation of gaps to the title of the trail's legend; "": none.
+  /// Adds an explanation of gaps to the title of the trail's legend. "" adds none.
   void explainGaps(const std::string& words);
 
-  /// The fraction of a viewport's width that the column takes.
+  /// Fraction of a viewport's width that the column of legends takes.
   static double share(vtkRenderer* renderer);
-  /// `captionHeight` is the height of the caption below the legends, pixels.
+  /// Places the legends. `captionHeight`: height of the caption below the legends, pixels.
   void place(vtkRenderer* renderer, double captionHeight);
 
 private:
@@ -48,9 +48,10 @@ private:
   vtkNew<vtkScalarBarActor> Force;
 };
 
-/// The scale of force arrows: an arrow of a round number of newtons in the lower right corner of
-/// the picture, on request with the remark that the scale has changed. It has the length that this
-/// force would have at the contact, perpendicular to the line of sight.
+/// The scale of the force arrows: an arrow for a round number of newtons in the lower right corner
+/// of the picture. Its length is the length that an arrow of this force would have at the contact,
+/// perpendicular to the line of sight. After setChanged(true) it also shows the remark that the
+/// scale has changed.
 class ForceScale
 {
 public:
@@ -59,11 +60,11 @@ public:
   ForceScale(const ForceScale&) = delete;
   ForceScale& operator=(const ForceScale&) = delete;
 
-  /// Chooses the number of newtons: about half of the largest force (N). `scale` is the length of
-  /// arrows, mm per N.
+  /// Chooses the force of the arrow, a round number: about half of `largestForce` (N). `scale`:
+  /// length of arrows, mm per N.
   void choose(double largestForce, double scale);
-  /// Fits the arrow to the camera. If the arrow would be longer than a third of the picture's
-  /// width, it shows the next smaller round number.
+  /// Adapts the arrow to the camera. If the arrow would be longer than a third of the picture's
+  /// width, the next smaller round number is used.
   void place(vtkRenderer* renderer, const Eigen::Vector3d& contact);
   void setVisibility(bool visible);
   void setChanged(bool changed) { this->IsChanged = changed; }

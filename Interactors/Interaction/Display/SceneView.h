@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Direction from the focus to the camera, and the upward direction in the picture. Neither may be
+/// Direction from the focus to the camera, and upward direction in the picture. Neither may be
 /// zero.
 struct ViewDirection
 {
@@ -21,19 +21,19 @@ struct ViewDirection
 };
 
 /// Moves the camera so that it shows the whole box, centred in the part of the picture to the left
-/// of the legends. The column of legends takes the fraction `column` of the picture's width.
+/// of the legends. `column`: fraction of the picture's width that the column of legends takes.
 void lookAtBounds(
   vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
 
-/// Moves the camera to `distance` mm from a point. The point is a little below the middle of the
-/// picture, so that an arrow above it is visible.
+/// Moves the camera to the distance `distance` (mm) from a point. The point appears a little below
+/// the middle of the picture, so that an arrow above it is visible.
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
 /// Pixels per mm at a point, perpendicular to the line of sight.
 double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point);
 
-/// Sets background and light, which are the same for all bodies.
+/// Sets background and lights. They are the same for all bodies.
 inline void lightScene(vtkRenderer* renderer)
 {
   renderer->SetBackground(BackgroundColor[0], BackgroundColor[1], BackgroundColor[2]);

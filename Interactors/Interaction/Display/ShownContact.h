@@ -17,31 +17,32 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Whether a part of a force, or a difference from the force, is large enough to be shown: more
-/// than 2 % of the force.
+/// Whether `part` is large enough to be shown: more than 2 % of the force. `part` is a part of the
+/// force, or a difference from the force.
 inline bool isNoticeable(const Eigen::Vector3d& part, const Eigen::Vector3d& force)
 {
   return part.norm() > 0.02 * force.norm();
 }
 
-/// One contact to draw, from a live session or from a tip of a probe. Body frame, mm, N.
+/// One contact to draw, from a live session or from a tip of a probe (body's frame, mm, N).
 struct ShownContact
 {
-  /// Without contact, the normal of the tick's contact is the direction of the tool.
+  /// The tick. If there is no contact, its contact normal is the direction of the tool.
   Tick tick;
   bool hasApplied = false; ///< whether the tick has an applied force
-  std::string safety;      ///< the reasons as text why the applied force differs; "" if it does not
-                           ///< differ or the reason is unknown
-  vtkIdType cell = -1;     ///< cell of the body; -1: no contact
+  /// Reasons for a different applied force, as text; "" if it does not differ or the reason is
+  /// unknown.
+  std::string safety;
+  vtkIdType cell = -1; ///< cell of the body; -1: no contact
 
-  /// Depth at which the first assumption of the response fails at the contact, mm, and that
-  /// assumption (ResponseLimit).
+  /// Depth at which the first assumption of the response fails at the contact, mm, and the number
+  /// of this assumption (ResponseLimit).
   double validity = std::numeric_limits<double>::infinity();
   int limit = 0;
   /// Estimated relative error of the force; NaN if the response has no error array.
   double error = std::numeric_limits<double>::quiet_NaN();
 
-  /// Whether other tools of the session may have lowered or raised the surface at the contact.
+  /// Whether other tools of the session may lower or raise the surface at this contact.
   bool hasOthers = false;
 
   bool touches() const { return this->cell >= 0; }
@@ -50,10 +51,10 @@ struct ShownContact
   {
     return (this->tick.contact.contactPoint - this->tick.tip).dot(this->tick.contact.normal);
   }
-  /// Whether other tools have changed the depth of the tip's own dent.
+  /// Whether other tools change the depth of this tool's own dent.
   bool isLowered() const
   {
-    constexpr double seen = 0.005; // mm
+    constexpr double seen = 0.005; // mm, smallest difference that counts
     return this->hasOthers && this->touches() && !(this->tick.contact.tilt > 0.0) &&
       std::abs(this->tipDepth() - this->tick.contact.deflection) > seen;
   }
@@ -73,17 +74,17 @@ struct ShownContact
   }
 };
 
-/// Reads tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording.
-/// FrictionForce, ContactState, AppliedForce and its SafetyLinks are optional. Returns false if any
-/// other array is missing or there is no such tip.
+/// Reads tip `index` of the output of vtkToolContactProbe or vtkHapticRecorder::GetRecording. The
+/// arrays FrictionForce, ContactState, AppliedForce and SafetyLinks are optional. Returns false if
+/// another array is missing, or if there is no such tip.
 bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact);
 
-/// Reads the newest tick of one device of a session, with its validity. Without contact the tool is
-/// along `freeDirection`. There is no applied force if the session does not run or the device has
-/// no force.
+/// Reads the newest tick of one device of a session, with the validity of its contact. Without
+/// contact, the direction of the tool is `freeDirection`. There is no applied force if the session
+/// does not run or the device outputs no force.
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection);
 
-/// Makes a contact from a tick of a session's first device, with its validity.
+/// Makes a contact from a tick of the session's first device, with its validity.
 ShownContact contactOfTick(vtkHapticSession* session, const Tick& tick);
 
 /// Makes a contact from the arguments of vtkContactScene::ShowContact.
@@ -91,8 +92,8 @@ ShownContact contactOfNumbers(const double tip[3], const double contactPoint[3],
   const double normal[3], const double force[3], double deflection, vtkIdType cell);
 
 /// Sets validity, limit and error of a contact from the arrays Validity, Limit and Error of the
-/// response with this prefix: the smallest validity of the three corners of its cell. Validity is
-/// infinite without these arrays or without a contact.
+/// response with this prefix. The validity is the smallest of the three corners of the cell; it is
+/// infinite without these arrays and without a contact.
 void findValidity(vtkPolyData* body, const std::string& responseName, ShownContact& contact);
 } // namespace palpate
 

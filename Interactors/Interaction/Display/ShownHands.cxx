@@ -28,7 +28,8 @@ namespace
 {
 constexpr int Corners = 96;
 constexpr int Dashes = 16;
-// The line is thinner on small circles, so that they look like circles, but it stays visible.
+// The radius of the line is LineRadius plus LineShare times the radius of the circle. So the line
+// is thin on a small circle, but stays visible.
 constexpr double LineRadius = 0.08; // mm
 constexpr double LineShare = 0.05;  // fraction of the circle's radius
 } // namespace

@@ -21,7 +21,7 @@ class vtkTubeFilter;
 
 namespace palpate
 {
-/// The circle of contact.
+/// Draws the contact circle.
 class ContactCircle
 {
 public:
@@ -30,8 +30,8 @@ public:
   ContactCircle(const ContactCircle&) = delete;
   ContactCircle& operator=(const ContactCircle&) = delete;
 
-  /// Draws the circle around `center`, perpendicular to the unit vector `normal`. If the radius
-  /// (mm) is 0 or not finite, there is no circle.
+  /// Draws the circle around `center`, perpendicular to the unit vector `normal`. Draws nothing if
+  /// the radius (mm) is 0 or not finite.
   void show(
     const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double radius, bool dashed);
   void hide();
@@ -43,15 +43,16 @@ private:
   vtkSmartPointer<vtkActor> Actor;
 };
 
-/// Makes a ball, not yet visible, that marks the position of a contact in a blind comparison.
+/// Makes a ball that marks the position of a contact in a blind comparison. Initially it is
+/// invisible.
 vtkSmartPointer<vtkActor> makePlaceMarker();
 
-/// Puts the marker on the surface, not at the tip: the depth of the tip would reveal the stiffness
-/// of the body.
+/// Places the marker at the contact point on the surface, not at the tip, because the depth of the
+/// tip would reveal the stiffness of the body.
 void placeMarker(const ShownContact& contact, vtkActor* marker);
 
-/// The tools over a body, one per hand, each with its arrows and its circle of contact. The first
-/// always exists; the others have its style.
+/// Draws the tools on a body, one per hand, each with its arrows and its contact circle. The first
+/// tool always exists; the other tools get its style.
 class ShownHands
 {
 public:
@@ -60,7 +61,7 @@ public:
   ShownHands(const ShownHands&) = delete;
   ShownHands& operator=(const ShownHands&) = delete;
 
-  /// Must be called once, before the first call of show().
+  /// Sets the renderer. Must be called once, before the first call of show().
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);
@@ -68,13 +69,13 @@ public:
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 
-  /// Direction of a hand's tool without contact. May be set before the hand exists. Zero (default):
-  /// the last direction.
+  /// Sets the direction of a hand's tool while it has no contact. It may be set before the hand
+  /// exists. Zero (default): the last direction is kept.
   void setFreeDirection(std::size_t hand, const Eigen::Vector3d& direction);
   Eigen::Vector3d freeDirection(std::size_t hand) const;
 
-  /// Shows a hand's tool and forces, and a circle of this radius (mm; 0: none) `depth` mm below the
-  /// contact point.
+  /// Shows the tool and the forces of a hand, and a circle with this radius (mm; 0: no circle),
+  /// `depth` mm below the contact point.
   void show(std::size_t hand, const ShownContact& contact, double radius, double depth);
   void hideCircles();
 
@@ -94,7 +95,7 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Hand> Hands;
-  std::vector<Eigen::Vector3d> FreeDirections; ///< for all hands that a session may have
+  std::vector<Eigen::Vector3d> FreeDirections; ///< one for each hand that a session can have
 };
 } // namespace palpate
 

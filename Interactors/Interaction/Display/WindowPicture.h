@@ -10,8 +10,8 @@ class vtkRenderWindow;
 
 namespace palpate
 {
-/// Draws the window and writes it as a .png file, completely or not at all (WholeFile). Returns ""
-/// or an error that names the file and the reason.
+/// Draws the window and writes it as a .png file. The file is written completely or not at all
+/// (WholeFile). Returns "" or an error message with the file and the reason.
 PALPATEINTERACTION_EXPORT std::string writeWindowPicture(
   vtkRenderWindow* window, const std::string& file);
 } // namespace palpate

@@ -24,8 +24,7 @@ constexpr PanelScale ModulusScale{ 0.001, 10.0, true, 0.01 };
 constexpr PanelScale PoissonScale{ 0.0, 0.5, false, 0.01 };
 constexpr PanelScale StrengthScale{ 0.0, 3.0, false, 0.05 };
 constexpr PanelScale SecondsScale{ 0.01, 100.0, true, 0.01 };
-constexpr double FirstSeconds = 1.0; ///< relaxation time that is added to a body without
-                                     ///< relaxation, s
+constexpr double FirstSeconds = 1.0; ///< relaxation time added to a body without relaxation, s
 constexpr PanelScale FrictionScale{ 0.0, 1.0, false, 0.01 };
 constexpr PanelScale ExaggerationScale{ 1.0, 64.0, true, 0.1 };
 
@@ -45,7 +44,7 @@ std::string decimals(double value, int count)
   return written.str();
 }
 
-/// Description of a tool, shortened to the width of a button.
+/// Returns the description of a tool, shortened to the width of a button.
 std::string toolText(vtkContactTool* tool)
 {
   std::string text = tool->GetDescription();
@@ -91,7 +90,7 @@ std::string exaggerationText(double value)
   return digits(value, 2) + " times";
 }
 
-/// Work that takes longer is announced, and can be cancelled.
+/// If a request takes longer than this, the panel announces it and offers to cancel it.
 constexpr std::chrono::milliseconds Patience{ 300 };
 
 std::function<std::string()> always(const char* label)
@@ -129,7 +128,7 @@ std::vector<ControlRow> ContactControls::rows()
   this->addView(rows);
   this->addSession(rows);
   rows.emplace_back(ControlStatus{});
-  // Below the progress in the status, where it moves no other row when it appears.
+  // The button is below the progress in the status row, so it moves no other row when it appears.
   rows.emplace_back(
     std::vector<ControlButton>{ { always("Cancel"), [setup = this->Setup] { setup->Cancel(); },
       [] { return false; }, [this] { return this->isWaiting(); } } });
@@ -214,7 +213,7 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
   rows.emplace_back(std::move(models));
 }
 
-/// Adds the controls of the first relaxation.
+/// Adds the controls of the first branch of the relaxation.
 void ContactControls::addRelaxation(std::vector<ControlRow>& rows)
 {
   vtkContactSetup* setup = this->Setup;
@@ -306,7 +305,7 @@ void ContactControls::fitScales()
   {
     const bool isKnown = this->ShownForce > 0.0;
     this->ShownForce = force;
-    // A scale that fits the forces fits after the change, too.
+    // A scale that fits the old forces fits the new forces after multiplication by the same ratio.
     this->scene()->SetLargestForce(isKnown ? ratio * this->scene()->GetLargestForce() : force);
     if (this->Charts)
     {

@@ -20,20 +20,19 @@ class vtkLiveCharts;
 
 namespace palpate
 {
-/// A quantity that may be changed during contact.
+/// A quantity that the user can change during contact.
 struct ControlQuantity
 {
   std::string name;
   PanelScale scale;
-  std::string (*write)(double); ///< text of a value with its unit
+  std::string (*write)(double); ///< returns a value as text with its unit
   std::function<double()> read;
   std::function<void(double)> change;
-  bool setsForces = false;                               ///< whether a change of the quantity
-                                                         ///< changes the forces
-  std::function<bool()> isOffered = [] { return true; }; ///< whether the row is shown at present
+  bool setsForces = false; ///< whether a change of the quantity changes the forces
+  std::function<bool()> isOffered = [] { return true; }; ///< whether the row is shown
 };
 
-/// An action, or a switch.
+/// A button: an action, or a switch that is on or off.
 struct ControlButton
 {
   std::function<std::string()> label;
@@ -42,7 +41,7 @@ struct ControlButton
   std::function<bool()> isOffered = [] { return true; };
 };
 
-/// The row of the status.
+/// The row with the status text.
 struct ControlStatus
 {
 };
@@ -51,25 +50,26 @@ struct ControlStatus
 using ControlRow =
   std::variant<std::string, ControlQuantity, std::vector<ControlButton>, ControlStatus>;
 
-/// The content of a contact's panel: its rows, their present values, and the effect of changes. The
-/// panel defines the appearance.
+/// The content of the panel: its rows, their present values, and the effects of changes.
+/// vtkContactPanel draws it.
 class ContactControls
 {
 public:
-  /// `toolShown` is called when another tool is chosen.
+  /// `toolShown` is called with the index of the tool when another tool is chosen.
   ContactControls(vtkContactSetup* setup, vtkInteractorStyleHaptic* style, vtkLiveCharts* charts,
     std::function<void(int)> toolShown);
   ~ContactControls();
   ContactControls(const ContactControls&) = delete;
   ContactControls& operator=(const ContactControls&) = delete;
 
-  /// The rows that the setup and the charts allow; valid during the lifetime of this object.
+  /// Returns the rows for the quantities and actions that the setup and the charts allow. The rows
+  /// are valid during the lifetime of this object.
   std::vector<ControlRow> rows();
 
-  /// Requests the responses for changed settings, and passes finished responses to the session and
-  /// the scene. Returns whether responses were finished.
+  /// Requests new responses if the settings have changed. Passes finished responses to the session
+  /// and the scene. Returns whether responses were finished.
   bool update();
-  /// Chooses new force scales if the forces have become much larger or smaller.
+  /// Chooses new force scales if the forces have become much larger or smaller than before.
   void fitScales();
 
   void chooseTool(int tool);
@@ -79,7 +79,7 @@ public:
   void setShowsCharts(bool shown);
   void toggleTiming();
 
-  /// Text about the work in progress, or the error.
+  /// Returns a text about the work in progress, or the error.
   std::string status() const;
 
 private:
@@ -98,7 +98,7 @@ private:
   bool Compares = false;
   bool ShowsCharts = true;
   std::chrono::steady_clock::time_point BusySince = std::chrono::steady_clock::now();
-  bool Waits = false; ///< the responses have been computed for longer than a moment
+  bool Waits = false; ///< whether the computation of the responses takes longer than Patience
   double ShownForce;  ///< force to which the force scales were fitted, N
 };
 } // namespace palpate

@@ -14,7 +14,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// A sheet in the middle of a renderer with the functions of keys and mouse, in two columns.
+/// A sheet of text in the middle of a renderer. It lists the functions of keys and mouse in two
+/// columns.
 class KeyHelp
 {
 public:
@@ -23,16 +24,16 @@ public:
   KeyHelp(const KeyHelp&) = delete;
   KeyHelp& operator=(const KeyHelp&) = delete;
 
-  /// Sets the text, one line per key: "key<tab>function"; an empty line is a gap.
+  /// Sets the text, one line per key: "key<tab>function". An empty line makes a gap.
   void setText(const std::string& text);
   const std::string& text() const { return this->Text; }
 
-  /// Shows the sheet in a renderer, on top of the rest; null hides the sheet.
+  /// Shows the sheet in a renderer, in front of all other props. Null hides the sheet.
   void show(vtkRenderer* renderer);
   bool isShown() const { return this->Renderer != nullptr; }
 
 private:
-  /// Centres the sheet in the present size of the window.
+  /// Centres the sheet in the window at its present size.
   void place();
 
   std::string Text;

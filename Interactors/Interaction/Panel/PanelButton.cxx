@@ -13,12 +13,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeftMargin = 10.0; // pixels, for a label that begins at the left
+constexpr double LeftMargin = 10.0; // pixels, for a label that is aligned left
 }
 
 PanelButton::PanelButton()
 {
-  this->NumberOfStates = 1; // the owner decides whether the button is on
+  this->NumberOfStates = 1; // on and off are set by the owner, not by the widget
   stylePanelText(this->Text, TextColor);
   this->Text->GetTextProperty()->SetJustificationToCentered();
   this->Text->GetTextProperty()->SetVerticalJustificationToCentered();

@@ -13,8 +13,8 @@
 
 namespace palpate
 {
-/// Drawing and hit test of a panel's button: a label in a box, which is filled while the button is
-/// on.
+/// Draws a button of the panel and finds whether a position is on it. The button is a label in a
+/// box. The box is filled while the button is on.
 class PanelButton : public vtkButtonRepresentation
 {
 public:
@@ -27,9 +27,9 @@ public:
   bool isOn() const { return this->On; }
   void alignLeft();
 
-  /// Position and size in pixels of the renderer, from its lower left corner.
+  /// Sets position and size, in pixels of the renderer from its lower left corner.
   void place(double left, double bottom, double width, double height, int fontSize);
-  /// Centre of the button, in pixels of the renderer.
+  /// Returns the centre of the button, in pixels of the renderer.
   void findMiddle(double position[2]) const;
 
   int ComputeInteractionState(int x, int y, int modify = 0) override;

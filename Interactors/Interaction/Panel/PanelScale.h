@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// Relates the value of a quantity to the position along a slider, from 0 (left end) to 1 (right
-/// end).
+/// Converts between the value of a quantity and the position on a slider, from 0 (left end) to 1
+/// (right end).
 struct PanelScale
 {
   double low = 0.0;
@@ -24,7 +24,7 @@ struct PanelScale
     return std::clamp(share, 0.0, 1.0);
   }
 
-  /// The value at a position, rounded to a whole number of steps.
+  /// Returns the value at a position, rounded to a whole number of steps.
   double valueAt(double share) const
   {
     const double within = std::clamp(share, 0.0, 1.0);

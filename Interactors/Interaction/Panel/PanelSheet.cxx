@@ -14,22 +14,22 @@ namespace palpate
 {
 namespace
 {
-// Pixels, for a sheet with enough room.
+// Lengths in pixels, for a sheet with enough space.
 constexpr double Width = 240.0;
 constexpr double Margin = 16.0;
 constexpr double HeadingHeight = 40.0;
 constexpr double SliderHeight = 48.0;
 constexpr double ButtonHeight = 32.0;
 constexpr double ButtonGap = 5.0;
-constexpr double StatusHeight = 58.0; // at least
+constexpr double StatusHeight = 58.0; // smallest height
 constexpr double StatusGap = 12.0;    // above the status
 constexpr double StatusMargin = 24.0; // above and below the status
 constexpr int FontSize = 14;
 constexpr int HeadingSize = 13;
 constexpr int SmallestSize = 8;
 
-/// Breaks a text into lines that fit: at a blank, else after a slash of a path, else anywhere
-/// between two letters (UTF-8).
+/// Breaks a text into lines that fit. The break is at a blank, otherwise after a slash of a path,
+/// otherwise between any two letters (UTF-8).
 std::string broken(const std::string& text, const std::function<bool(const std::string&)>& fits)
 {
   constexpr std::size_t none = std::string::npos;
@@ -235,7 +235,7 @@ void PanelSheet::place()
     return;
   }
   const int* size = this->Renderer->GetSize();
-  // Room for all lines of the status, before the other rows get smaller.
+  // The status gets space for all its lines first. Then the other rows are reduced, if necessary.
   this->breakStatus(Width - 2.0 * Margin, FontSize - 1, this->FullSize);
   for (Row& row : this->Rows)
   {

@@ -21,7 +21,7 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A column of headings, sliders and buttons in a renderer, for any purpose.
+/// A column of headings, sliders and buttons in a renderer. It does not depend on their purpose.
 class PanelSheet
 {
 public:
@@ -33,16 +33,17 @@ public:
   PanelSheet& operator=(const PanelSheet&) = delete;
 
   void addHeading(const std::string& text);
-  /// `changed` is called when the handle moves, `released` when the mouse button is released.
+  /// Adds a slider. `changed` is called when the handle moves, `released` when the mouse button is
+  /// released.
   PanelSlider* addSlider(Action changed, Action released);
-  /// Adds a button to a row of `inRow` buttons; call it `inRow` times for the row. A single button
-  /// has its label at the left. Buttons after the status stand in the lower part of its row, below
-  /// one line of text: they move no other row when they appear.
+  /// Adds a button to a row of `inRow` buttons; call it `inRow` times for each row. The label of a
+  /// single button is aligned left. Buttons that are added after the status are placed in the lower
+  /// part of the status row, below one line of text. So they move no other row when they appear.
   PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
   void addStatus();
   void clear();
 
-  /// The text is broken into lines that fit into the sheet.
+  /// Sets the text of the status. It is broken into lines that fit into the sheet.
   void setStatus(const std::string& text) { this->StatusText = text; }
   const std::string& status() const { return this->StatusText; }
 
@@ -65,13 +66,13 @@ private:
     int columns = 1;
     double height = 0.0;
 
-    bool isOnStatus = false; ///< stands in the lower part of the status
+    bool isOnStatus = false; ///< placed in the lower part of the status row
 
     bool isShown() const;
     bool hasPlace() const { return this->isShown() && !this->isOnStatus; }
   };
 
-  /// The status in lines, as made for a width and a font, pixels.
+  /// The status broken into lines, for one width (pixels) and one font size.
   struct BrokenText
   {
     std::string text;
@@ -80,7 +81,7 @@ private:
     std::string lines;
     double height = 0.0; ///< pixels
   };
-  /// Breaks the status, if `broken` is not up to date.
+  /// Breaks the status into lines, if `broken` is out of date.
   void breakStatus(double width, int fontSize, BrokenText& broken);
   void observe(vtkObject* object, unsigned long event, const Action& action);
 
@@ -90,8 +91,8 @@ private:
   std::vector<vtkSmartPointer<vtkAbstractWidget>> Widgets;
   vtkNew<vtkTextActor> Status;
   std::string StatusText;
-  BrokenText FullSize;       ///< for a sheet with enough room
-  BrokenText ShownSize;      ///< as shown
+  BrokenText FullSize;       ///< for a sheet with enough space
+  BrokenText ShownSize;      ///< for the present size of the sheet
   std::list<Action> Actions; ///< referenced by the widgets
   vtkRenderer* Renderer = nullptr;
 };

@@ -17,8 +17,9 @@ namespace
 constexpr double TrackHeight = 4.0;
 constexpr double HandleWidth = 10.0;
 constexpr double HandleHeight = 18.0;
-constexpr double TrackShare = 0.24; ///< height of the middle of the track above the bottom of the
-                                    ///< row, fraction of the row
+/// Height of the middle of the track above the bottom of the row, as a fraction of the row's
+/// height.
+constexpr double TrackShare = 0.24;
 constexpr double TextShare = 0.56;
 } // namespace
 

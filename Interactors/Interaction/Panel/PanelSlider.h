@@ -15,16 +15,16 @@
 
 namespace palpate
 {
-/// Drawing and hit test of a panel's slider: name and value above a track. Pressing the mouse
-/// button anywhere on the row moves the handle there, and the handle follows the mouse until the
-/// button is released.
+/// Draws a slider of the panel and finds whether a position is on it. Name and value are above a
+/// track. If the mouse button is pressed anywhere on the row, the handle moves to that place. It
+/// follows the mouse until the button is released.
 class PanelSlider : public vtkSliderRepresentation
 {
 public:
   static PanelSlider* New() { VTK_STANDARD_NEW_BODY(PanelSlider); }
   vtkTypeMacro(PanelSlider, vtkSliderRepresentation);
 
-  /// The text of a value, with its unit.
+  /// Returns a value as text with its unit.
   using Format = std::function<std::string(double)>;
   void setMeaning(const std::string& name, const PanelScale& scale, Format format);
   const std::string& name() const { return this->Title; }
@@ -34,9 +34,9 @@ public:
   bool isHeld() const { return this->Held; }
   void release() { this->Held = false; }
 
-  /// Position and size of the row in pixels of the renderer, from its lower left corner.
+  /// Sets position and size of the row, in pixels of the renderer from its lower left corner.
   void place(double left, double bottom, double width, double height, int fontSize);
-  /// Position of the handle for a value, in pixels of the renderer.
+  /// Returns the position of the handle for a value, in pixels of the renderer.
   void findHandle(double value, double position[2]) const;
 
   void SetTitleText(const char* title) override { this->Title = title ? title : ""; }
@@ -68,7 +68,7 @@ private:
   Format Write;
   double Share = 0.0;
   bool Held = false;
-  PixelBox Row; ///< area of the row; not drawn
+  PixelBox Row; ///< area of the row; it is not drawn
   PixelBox Track;
   PixelBox Filled;
   PixelBox Handle;

@@ -8,24 +8,24 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// The tilt of a tool steered by a mouse, relative to the picture.
+/// The tilt of a tool that is steered by the mouse, relative to the picture.
 class SteeredTilt
 {
 public:
   static constexpr double Largest = 60.0; ///< degrees
   static constexpr double PerNotch = 2.5; ///< degrees per notch of the wheel, or per key press
 
-  /// Sets the tilt to the right and away from the viewer, degrees. Each is limited to Largest in
-  /// both directions.
+  /// Sets the tilt to the right and the tilt away from the viewer, degrees. Each is limited to
+  /// ±Largest.
   void set(double right, double away);
   void lean(double right, double away) { this->set(this->Right + right, this->Away + away); }
   double right() const { return this->Right; }
   double away() const { return this->Away; }
 
-  /// Whether a tilt was ever set. Before that, the axis is the normal of the surface.
+  /// Whether a tilt has been set. If not, the axis is the normal of the surface.
   bool isSet() const { return this->IsSet; }
-  /// Axis of a tool on a surface with this outward normal: a unit vector from the tip up the shaft.
-  /// Without a renderer, "right" is along x and "away" along y.
+  /// Returns the axis of a tool on a surface with this outward normal: a unit vector from the tip
+  /// up the shaft. Without a renderer, "right" is along x and "away" is along y.
   std::array<double, 3> axis(const double normal[3], vtkRenderer* renderer) const;
 
 private:
@@ -41,10 +41,11 @@ struct SteeredHand
   double wheelDepth = 0.0;           ///< mm
   double tip[3] = { 0.0, 0.0, 0.0 }; ///< last point to which the tip was steered, mm
 
-  bool touches = false; ///< whether the tip was steered to a place of the surface, as follows
+  /// Whether the tip was steered to a place of the surface, given by the following members.
+  bool touches = false;
   double point[3] = { 0.0, 0.0, 0.0 };
   double normal[3] = { 0.0, 0.0, 1.0 };
-  double height = 0.0; ///< of the tip above the point, mm
+  double height = 0.0; ///< height of the tip above the point, mm
 };
 } // namespace palpate
 

@@ -23,8 +23,8 @@ public:
   SurfacePicker(const SurfacePicker&) = delete;
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
-  /// Sets the body and the prefix of the response whose normals are used. Another body with the
-  /// same points and cells does not need a new locator.
+  /// Sets the body, and the prefix of the response whose normals are used. The locator is made
+  /// again only if points or cells differ.
   void setBody(vtkPolyData* body, const std::string& responseName);
 
   /// Finds the first intersection of the body with the line of sight through a display position,
@@ -33,13 +33,14 @@ public:
 
 private:
   vtkWeakPointer<vtkPolyData> GivenBody;
-  vtkSmartPointer<vtkPolyData> Body; ///< a copy, since the locator builds links in it
+  vtkSmartPointer<vtkPolyData> Body; ///< a copy, because the locator builds links in it
   vtkSmartPointer<vtkCellLocator> Locator;
   std::string ResponseName;
 };
 
-/// Finds the point on the line of sight through a display position that is `away` farther from the
-/// viewer than `tip`, and the direction opposite to the camera's line of sight.
+/// Returns a point on the line of sight through a display position. Its distance from the viewer is
+/// that of `tip` plus `away` (mm). Also returns the direction opposite to the camera's line of
+/// sight.
 void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
   double point[3], double towards[3]);
 } // namespace palpate

@@ -12,15 +12,15 @@
 
 namespace palpate
 {
-/// The kernels of a body for the ticks of a session, and the peaks of its responses, by the prefix
-/// of the response. They may be made on any thread.
+/// The kernels of a body for the ticks of a session, and the peaks of its responses. Both are
+/// stored under the prefix of the response. They may be made on any thread.
 struct BodyKernels
 {
-  /// Largest force (N) and stiffness (N/mm).
+  /// Largest force (N) and largest stiffness (N/mm) of a response.
   using Peaks = std::pair<double, double>;
 
   std::map<std::string, std::shared_ptr<const ContactBody>> read;
-  /// Peaks of a response down to a depth, mm.
+  /// Peaks of a response down to a depth (mm), by prefix and depth.
   std::map<std::pair<std::string, double>, std::optional<Peaks>> peaks;
 };
 } // namespace palpate

@@ -10,22 +10,22 @@
 #include <memory>
 #include <vector>
 
-/// The data read from the body, by response. They are valid while the body is unchanged.
+/// The kernels and peaks of the session's body. They are valid while the body is unchanged.
 struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
-  bool given = false; ///< whether the caller set the kernels for the next Start
+  bool given = false; ///< whether the caller passed the kernels for the next Start
 };
 
-/// The hand to which a servo scene is fitted.
+/// The properties of a hand to which the forces are fitted.
 struct vtkHapticSession::Hand
 {
   palpate::SafetySettings safety;
-  double scale = 1.0; ///< scale of the workspace
+  double scale = 1.0; ///< scale of the workspace mapping
 };
 
-/// The state from one Start to the next.
+/// The state of the session that exists from one Start to the next.
 struct vtkHapticSession::Started
 {
   std::vector<Hand> hands;

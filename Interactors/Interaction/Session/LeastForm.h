@@ -17,20 +17,19 @@ struct LeastFormRequest
 {
   vtkSmartPointer<vtkPolyData> body; ///< the body with the response
   std::string name;                  ///< prefix of the response
-  double tolerance = 0.01;           ///< relative error of the force
-  double deflection = 0.0; ///< deflection at which regime and validity are checked, mm; 0: half of
-                           ///< Range
+  double tolerance = 0.01;           ///< largest relative error of the force
+  double deflection = 0.0;           ///< deflection for regime and validity, mm; 0: half of Range
 
-  /// If this array is given, a point force is considered, too. The array is the global compliance
-  /// of the body (mm/N). Tool and material are those of the response.
+  /// Name of the array with the body's global compliance (mm/N). If it is given, a point force is
+  /// considered, too. Tool and material must be those of the response.
   std::string complianceArray;
   vtkSmartPointer<vtkContactTool> tool;
   double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
 };
 
-/// The body with the simplest form in place of the response, and the reason for that form in a
-/// sentence.
+/// The body with the simplest form instead of the response, and a sentence with the reason for this
+/// form.
 struct LeastForm
 {
   vtkSmartPointer<vtkPolyData> body; ///< null after an error

@@ -21,9 +21,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestChange = 1e6; // of the modulus; floats keep their accuracy
-constexpr double Rounding = 1e-12;    // relative, of the product of modulus and compliance
-constexpr std::size_t Share = 65536;  // numbers that a thread scales at a time
+constexpr double LargestChange = 1e6; // largest ratio of two moduli; floats keep their accuracy
+/// Largest relative rounding error of the product of modulus and compliance.
+constexpr double Rounding = 1e-12;
+constexpr std::size_t Share = 65536; // number of values that a thread scales at a time
 
 auto lawOf(const LawTerms& terms)
 {
@@ -31,8 +32,8 @@ auto lawOf(const LawTerms& terms)
     terms.storeError, terms.automatic, terms.changeTolerance, terms.edges, terms.tilt);
 }
 
-/// The parts of a request that must be equal. Poisson's ratio, the terms of a law and the
-/// relaxation are compared apart.
+/// The parts of a request that must be equal. Poisson's ratio, the terms of the law and the
+/// relaxation are compared separately.
 auto partsOf(const ResponseRequest& request)
 {
   return std::tie(request.body, request.names, request.toolKeys, request.stored,
@@ -40,14 +41,15 @@ auto partsOf(const ResponseRequest& request)
     request.complianceArray, request.tolerance, request.choiceDeflection);
 }
 
-/// The factor of all forces from one request to another.
+/// Returns the factor of all forces between two requests.
 double factorBetween(const ResponseRequest& known, const ResponseRequest& wanted)
 {
   return reducedModulus(wanted.youngsModulus, wanted.poissonRatio) /
     reducedModulus(known.youngsModulus, known.poissonRatio);
 }
 
-/// Whether the requests differ at most in the elastic constants, and these are the only ones.
+/// Whether the requests differ at most in the elastic constants, and all other elastic constants of
+/// the body change with them.
 bool differInMaterialOnly(const ResponseRequest& known, const ResponseRequest& wanted);
 
 /// Whether the body is an elastic half-space with one material, at small strain.
@@ -68,8 +70,8 @@ bool haveSameRelaxation(const RelaxationRequest& a, const RelaxationRequest& b)
     a.series.time == b.series.time;
 }
 
-/// The power of the modulus to which a quantity of this unit is proportional, for a body whose
-/// deflections do not change.
+/// Returns the power of the modulus to which a quantity with this unit is proportional, if the
+/// deflections of the body do not change.
 double powerOf(std::string_view unit)
 {
   return unit == "N" || unit == "N/mm" || unit == "MPa" ? 1.0
@@ -78,7 +80,7 @@ double powerOf(std::string_view unit)
                                                         : 0.0;
 }
 
-/// The same for an array of a response, or of the body's compliance.
+/// Returns the same power for an array of a response, or of the body's compliance.
 double powerOf(const std::string& name, const ResponseRequest& request)
 {
   for (const std::string& response : request.names)
@@ -147,7 +149,8 @@ vtkSmartPointer<vtkPolyData> scaled(
       const double power = powerOf(name, request);
       if (power != 0.0)
       {
-        data->AddArray(scaled(array, std::pow(factor, power))); // replaces the array of this name
+        // Replaces the array with the same name.
+        data->AddArray(scaled(array, std::pow(factor, power)));
       }
     }
   }

@@ -8,22 +8,22 @@
 
 namespace palpate
 {
-/// Whether two requests ask for the same responses of the same body.
+/// Whether two requests are for the same responses of the same body.
 bool areEqual(const ResponseRequest& one, const ResponseRequest& other);
 
-/// Whether `wanted` is `known` with another Young's modulus, and all forces are proportional to
-/// this modulus: the body has no material with a modulus of its own (layers below, half-space below
-/// the layers, a compliance that stays), and contacts are not coupled.
+/// Whether `wanted` differs from `known` only in Young's modulus, and all forces are proportional
+/// to this modulus. They are not proportional if the body has another modulus (deeper layers, a
+/// half-space below the layers, a compliance that stays the same), or if contacts are coupled.
 bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted);
 
-/// Whether `wanted` is `known` with another Poisson's ratio (and perhaps modulus), and all forces
-/// are proportional to E/(1 - ν²): the body is a half-space at small strain. Errors and validities
-/// are not proportional.
+/// Whether `wanted` differs from `known` only in Poisson's ratio (and possibly Young's modulus),
+/// and all forces are proportional to E/(1 - ν²). This holds for a half-space at small strain.
+/// Errors and validities are not proportional.
 bool isPoissonChange(const MadeResponses& known, const ResponseRequest& wanted);
 
-/// The responses of `known` for the material of `wanted`, scaled instead of computed; with another
-/// Poisson's ratio they are preliminary. The requests must have passed isModulusChange() or
-/// isPoissonChange(). Cost: some ms for 10⁵ points. Stops when goOn() returns false.
+/// Returns the responses of `known`, scaled to the material of `wanted`. If Poisson's ratio
+/// differs, the result is preliminary. The requests must have passed isModulusChange() or
+/// isPoissonChange(). Cost: a few ms for 10⁵ points. Stops when goOn() returns false.
 MadeResponses scaleForces(const MadeResponses& known, const ResponseRequest& wanted,
   const std::function<bool(double)>& goOn);
 } // namespace palpate

@@ -18,18 +18,18 @@
 namespace palpate
 {
 /**
- * A thread that works on the newest request. A new request replaces those that wait, and marks the
- * current one as stale. Only the destructor waits for the thread. The thread starts with the first
- * request and runs at lower priority if permitted.
+ * A thread that processes the newest request. A new request replaces waiting requests, and makes
+ * the current one obsolete. Only the destructor waits for the thread. The thread starts with the
+ * first request. It runs at lower priority if the system permits it.
  */
 template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Takes the fraction of the work that is done. Returns false if the work should stop, because
+  /// Receives the completed fraction of the work. Returns false if the work should stop, because
   /// there is a newer request or the request was cancelled.
   using GoOn = std::function<bool(double)>;
-  /// Runs on the thread. Results of stopped work are discarded.
+  /// The function that the thread calls. Results of stopped work are discarded.
   using Work = std::function<Result(const Request&, const GoOn&)>;
 
   explicit NewestRequest(Work work)
@@ -83,10 +83,11 @@ public:
     return this->Waiting || this->UnderWay == this->Newest;
   }
 
-  /// Fraction of the newest request's work that is done, 0 to 1.
+  /// Completed fraction of the work for the newest request, 0 to 1.
   double fraction() const { return this->Fraction; }
 
-  /// Returns the result of the newest request once; empty before it is ready and afterwards.
+  /// Returns the result of the newest request. Empty if the result is not ready, or was already
+  /// collected.
   std::optional<Result> collect()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -98,8 +99,7 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0, yielding); // applies to this thread and to the threads that it
-                                            // starts
+    setpriority(PRIO_PROCESS, 0, yielding); // applies to this thread and all threads that it starts
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)

@@ -16,10 +16,11 @@ namespace palpate
 {
 namespace
 {
-constexpr double CurvesShare = 0.8; // of the work: the curves; forms and kernels follow
+/// Fraction of the work for the curves; the rest is for forms and kernels.
+constexpr double CurvesShare = 0.8;
 
-/// Scales compliance and modes to another Young's modulus. Compliance is inversely proportional to
-/// the modulus, a mode to its square root.
+/// Scales compliance and modes to another Young's modulus. The compliance is proportional to the
+/// inverse of the modulus, the modes to the inverse of its square root.
 void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
 {
   if (request.complianceArray.empty() || request.complianceFactor == 1.0)
@@ -46,15 +47,16 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
         scaled->SetComponent(t, c, factor * scaled->GetComponent(t, c));
       }
     }
-    data->AddArray(scaled); // replaces the array of this name
+    data->AddArray(scaled); // replaces the array with the same name
   }
 }
 
-/// Returns false if the work was stopped.
+/// Adds the response of a tool to the body. Returns false if the work was stopped.
 bool addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
   const std::function<bool(double)>& goOn)
 {
-  made.error = request.tools[tool]->FindFault(); // GetKernel would print the error
+  // FindFault is used, because GetKernel would print the error.
+  made.error = request.tools[tool]->FindFault();
   if (!made.error.empty())
   {
     return true;
@@ -76,7 +78,7 @@ bool addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   return reached(1.0);
 }
 
-/// Returns the body with the form of a tool's response from which a session computes the force;
+/// Returns the body with the form of a tool's response that a session uses for the force. Returns
 /// null after an error.
 vtkSmartPointer<vtkPolyData> formOfForce(
   const ResponseRequest& request, std::size_t tool, MadeResponses& made)
@@ -93,8 +95,8 @@ vtkSmartPointer<vtkPolyData> formOfForce(
   return form.body;
 }
 
-/// Makes the same kernels as the session would make. They are made one after the other, since each
-/// uses several threads.
+/// Makes the kernels that the session would otherwise make. They are made one after the other,
+/// because each uses several threads.
 void makeKernels(
   const ResponseRequest& request, MadeResponses& made, const std::function<bool(double)>& goOn)
 {

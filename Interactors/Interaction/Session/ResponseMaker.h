@@ -26,35 +26,35 @@ struct ResponseRequest
 {
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  std::vector<std::string> toolKeys; ///< equal for equal tools
+  std::vector<std::string> toolKeys; ///< keys of the tools; equal keys mean equal tools
   std::vector<std::string> names;    ///< prefix of each tool's response
-  bool stored = false; ///< whether the body already has the responses, so that only the kernels are
-                       ///< made
+  /// Whether the body already has the responses; then only the kernels are made.
+  bool stored = false;
   double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
   double maximumDeflection = 0.0; ///< mm
   double layerThickness = 0.0;    ///< mm, for a body without a thickness array
-  std::string thicknessArray;     ///< "": layerThickness everywhere
+  std::string thicknessArray;     ///< "": the layer has the thickness layerThickness at all points
   LayerBase base = LayerBase::Bonded;
-  std::vector<StackLayer> deeper = {}; ///< layers below the first
-  std::string secondArray = {}; ///< array of the thickness of the first layer of `deeper`; "": the
-                                ///< constant of that layer
-  std::optional<StackLayer> halfSpace = {}; ///< replaces a rigid base
-  std::string complianceArray;              ///< "": none
-  double complianceFactor = 1.0;            ///< factor of the body's compliance and modes
+  std::vector<StackLayer> deeper = {}; ///< layers below the first layer
+  /// Array of the thickness of the first of the deeper layers; "": the thickness is constant.
+  std::string secondArray = {};
+  std::optional<StackLayer> halfSpace = {}; ///< elastic half-space instead of a rigid base
+  std::string complianceArray;              ///< "": no compliance
+  double complianceFactor = 1.0;            ///< factor for the body's compliance and modes
   LawTerms terms;                           ///< terms of the law
-  RelaxationRequest relaxation;             ///< for the response of every tool
-  bool coupling = false;  ///< whether several contacts deflect the surface for one another
-  double tolerance = 0.0; ///< largest error of the form from which a session computes the force; 0:
-                          ///< the responses are used unchanged
-  double choiceDeflection = 0.0; ///< deflection for which the form is chosen, mm; 0: half of the
-                                 ///< largest deflection
-  /// Kernel of the same surface, if one exists; otherwise null.
+  RelaxationRequest relaxation;             ///< for the responses of all tools
+  bool coupling = false; ///< whether each contact deflects the surface at the other contacts
+  /// Largest error of the form that a session uses for the force; 0: responses are used unchanged.
+  double tolerance = 0.0;
+  /// Deflection for the choice of the form, mm; 0: half of maximumDeflection.
+  double choiceDeflection = 0.0;
+  /// A kernel that has the same surface; null if none exists.
   std::shared_ptr<const ContactBody> surface;
-  /// Responses that were computed before. They are scaled if only Young's modulus differs, or
-  /// Poisson's ratio of a half-space (ModulusChange.h). May be null.
+  /// Responses that were computed earlier, or null. They are scaled if only Young's modulus, or
+  /// Poisson's ratio of a half-space, differs (ModulusChange.h).
   std::shared_ptr<const MadeResponses> known;
-  bool isFinal = false; ///< whether the result must not be preliminary
+  bool isFinal = false; ///< whether preliminary results are not allowed
 };
 
 /// The finished responses, or the error.
@@ -64,20 +64,20 @@ struct MadeResponses
   vtkSmartPointer<vtkPolyData> body; ///< the same body with the responses; null after an error
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   double poissonRatio = 0.0;
-  ResponseRequest of;                              ///< the request, without `surface` and `known`
-  std::vector<vtkSmartPointer<vtkPolyData>> forms; ///< the body with the form of each response from
-                                                   ///< which a session computes the force
-  BodyKernels kernels; ///< kernels of the forms from which a session computes the force
-  std::vector<std::string> choices; ///< reason for each form; empty if none was chosen
+  ResponseRequest of; ///< the request, without `surface` and `known`
+  /// For each response, the body with the form that a session uses for the force.
+  std::vector<vtkSmartPointer<vtkPolyData>> forms;
+  BodyKernels kernels;              ///< kernels of these forms
+  std::vector<std::string> choices; ///< reason for each form; empty if no form was chosen
   std::string error;
   std::string warning;
-  /// The forces are exact, but errors and validities are those of another Poisson's ratio.
+  /// Whether the forces are exact, but errors and validities are those of another Poisson's ratio.
   bool isPreliminary = false;
 };
 
 /// Makes the responses. Cost: 1 to 40 µs per point and tool; less if `known` is scaled
-/// (ModulusChange.h). Reports the fraction of the work to goOn(), and
-/// stops when goOn() returns false. May run on any thread.
+/// (ModulusChange.h). Calls goOn() with the completed fraction of the work, and stops when goOn()
+/// returns false. May run on any thread.
 MadeResponses makeResponses(
   const ResponseRequest& request, const std::function<bool(double)>& goOn);
 } // namespace palpate

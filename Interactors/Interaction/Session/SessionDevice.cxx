@@ -20,7 +20,7 @@ std::string openReplay(const std::string& file, SessionDevice& device)
   {
     return error;
   }
-  // A recording from the middle of a session is replayed from its first row on.
+  // A recording that starts in the middle of a session is replayed from its first row.
   const double begin = opened.trajectory.rows.front().time;
   for (TrajectoryRow& row : opened.trajectory.rows)
   {
@@ -86,7 +86,7 @@ DeviceSpecification SessionDevice::specification(double rate) const
   {
     return specificationOf(this->held.plant, rate);
   }
-  DeviceSpecification hand; // a stiff hand has no limit of stiffness and no time-out
+  DeviceSpecification hand; // a stiff hand has neither a limit of stiffness nor a time-out
   hand.maximumStiffness = std::numeric_limits<double>::infinity();
   hand.maximumDamping = std::numeric_limits<double>::infinity();
   hand.sampleTimeOut = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The device of a session. Some kinds of device are made only when the session starts.
+/// The device of a session. Devices of some kinds are made only when the session starts.
 struct SessionDevice
 {
   enum Kind
@@ -19,21 +19,22 @@ struct SessionDevice
     Simulated,
     Plant,
     Replay,
-    Opened,     ///< "hid", "bridge": hardware or another program, only in real time
-    OfTheCaller ///< given by C++
+    Opened,     ///< "hid" or "bridge": hardware or another program; only in real time
+    OfTheCaller ///< passed by C++ code
   };
 
   Kind kind = Simulated;
   std::shared_ptr<HapticDevice> device; ///< null if it is made at Start
-  Trajectory trajectory;                ///< for Replay
-  HeldPlant held;                       ///< for Plant
+  Trajectory trajectory;                ///< for the kind Replay
+  HeldPlant held;                       ///< for the kind Plant
 
-  /// Whether the motion of the device is independent of the force, so that no loop is closed
-  /// through the device.
+  /// Whether the motion of the device is independent of the force, so that the force has no effect
+  /// on later forces.
   bool isStiff() const { return this->kind == Simulated || this->kind == Replay; }
   /// Whether the hand follows a path or is steered.
   bool isSimulated() const { return this->kind == Simulated || this->kind == Plant; }
-  /// The specification at `rate`, Hz. It is also known for a device that is made at Start.
+  /// Returns the specification at the rate `rate`, Hz. It is also known before a device is made at
+  /// Start.
   DeviceSpecification specification(double rate) const;
 };
 

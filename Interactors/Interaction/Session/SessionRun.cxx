@@ -52,8 +52,8 @@ double VirtualRun::time() const
 
 void VirtualRun::step(double seconds)
 {
-  // The tolerance of half a tick ensures that steps which add up to a whole number of ticks run
-  // exactly that number.
+  // A tolerance of half a tick is used. If steps add up to a whole number of ticks, exactly this
+  // number of ticks runs.
   this->ReachedTime += seconds;
   const double end = this->ReachedTime - 0.5 * this->Period;
   while (this->time() < end)
@@ -76,7 +76,7 @@ void VirtualRun::tick()
     this->Hands[i]->writeWrench(this->Newest[i].wrench());
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-  // Retired scenes are freed here, outside of the measured time of the tick.
+  // Retired scenes are freed here, which is not part of the measured time of the tick.
   this->Step.takeRetired();
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
@@ -102,7 +102,7 @@ void RealTimeRun::change(std::unique_ptr<ServoScene> scene)
 
 const Tick& RealTimeRun::newest(std::size_t hand)
 {
-  this->collect(); // reads the newest tick at display rate, so that the ring buffer does not fill
+  this->collect(); // reads the ticks at the display rate, so that the ring buffer does not fill
   return this->Loop.newest(hand);
 }
 

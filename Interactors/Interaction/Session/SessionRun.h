@@ -20,12 +20,12 @@ namespace palpate
 /// The devices of a session, at least one.
 using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
 
-/// The devices and their servo step, from one Start of a session to the next. Only the thread that
-/// owns the session may use it. History and tape record the first device.
+/// The devices and their servo step from one Start of a session to the next. Only the thread of the
+/// session may use it. History and tape record the first device.
 class SessionRun
 {
 public:
-  /// `rate` in ticks per second.
+  /// `rate`: ticks per second.
   SessionRun(SessionHands hands, double rate, const TicksKept& kept)
     : Hands(std::move(hands))
     , KeepsAll(kept.all)
@@ -41,9 +41,9 @@ public:
   /// Stops the run. No force remains on the devices.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
-  /// Changes over to another servo scene.
+  /// Replaces the servo scene.
   virtual void change(std::unique_ptr<ServoScene> scene) = 0;
-  /// In virtual time, runs all ticks that are due in the next `seconds`.
+  /// In virtual time: computes all ticks that are due in the next `seconds`.
   virtual void step(double seconds) = 0;
   /// Virtual time, s, of the next tick; 0 in real time.
   virtual double time() const = 0;
@@ -57,12 +57,12 @@ public:
   /// The loop of the servo thread; null in virtual time.
   virtual ServoLoop* loop() { return nullptr; }
 
-  /// All ticks of a device up to the last collect(), if they are recorded.
+  /// All ticks of a device until the last collect(), if ticks are recorded.
   const std::vector<Tick>& ticks(std::size_t hand) const { return this->Kept[hand].ticks; }
-  /// The stored last ticks.
+  /// The ticks of the history.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
-  /// In virtual time, the duration of each recorded tick, ns.
+  /// In virtual time: the duration of each recorded tick, ns.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
   vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
@@ -118,7 +118,7 @@ private:
   ServoStep Step;
   double Period;
   double ReachedTime =
-    0.0; ///< sum of all steps so far, s; ticks are behind it by less than one period
+    0.0; ///< sum of all steps so far, s; the last tick is less than one period earlier
   bool Running = true;
   std::vector<DeviceSample> Samples;
   std::vector<Tick> Newest;
@@ -144,7 +144,7 @@ public:
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  ServoLoop Loop; ///< declared after the devices, so that it is destroyed first
+  ServoLoop Loop; ///< declared after the devices, so that it is destroyed before them
 };
 } // namespace palpate
 

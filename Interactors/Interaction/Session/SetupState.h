@@ -17,7 +17,7 @@
 namespace palpate::SetupArrays
 {
 constexpr const char* Thickness = "LayerThickness";
-constexpr const char* First = "LayerThickness0"; // first layer of a stack
+constexpr const char* First = "LayerThickness0"; // thickness of the first layer of a stack
 constexpr const char* Second = "LayerThickness1";
 constexpr const char* Compliance = "GlobalCompliance";
 } // namespace palpate::SetupArrays
@@ -27,26 +27,26 @@ struct vtkContactSetup::State
   vtkSmartPointer<vtkPolyData> body;
   vtkSmartPointer<vtkPolyData> copy; ///< copy of the body for the other thread
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  std::vector<palpate::StackLayer> added; ///< layers below the first
+  std::vector<palpate::StackLayer> added; ///< layers below the first layer
 
   vtkSmartPointer<vtkPolyData> output;
   palpate::MadeResponses made; ///< the responses from which the output was assembled
-  /// Responses that were computed, not scaled, with their body.
+  /// Responses that were computed and not scaled, with their body.
   std::shared_ptr<const palpate::MadeResponses> computed;
-  /// Settings that a panel changes.
+  /// The settings that the panel changes.
   struct Settings
   {
     double youngsModulus = 0.0;
     double poissonRatio = 0.0;
     int model = 0;
     palpate::RelaxationList relaxations;
-    std::vector<double> sizes; ///< of the tools, mm or degrees
+    std::vector<double> sizes; ///< sizes of the tools, mm or degrees
   };
-  Settings asked;             ///< of the last request
-  Settings shown;             ///< of the output
+  Settings asked;             ///< settings of the last request
+  Settings shown;             ///< settings of the output
   vtkMTimeType requested = 0; ///< modification time of the last request for responses
 
-  /// Declared last, so that it is destroyed first.
+  /// Declared last, so that the thread ends before the other members are destroyed.
   palpate::NewestRequest<palpate::ResponseRequest, palpate::MadeResponses> background{
     palpate::makeResponses
   };

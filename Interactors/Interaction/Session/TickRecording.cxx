@@ -23,7 +23,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the value that is not exceeded by the fraction `share` of the values; 0 without values.
+/// Returns the value that the fraction `share` of the sorted values does not exceed; 0 without
+/// values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   return sorted.empty()

@@ -21,21 +21,20 @@ namespace palpate
 void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 
-/// Reads tip `index` of such a recording or of the output of vtkToolContactProbe. Returns false if
-/// there is no such tip or one of Force, Deflection, ContactPoint and ContactCell is missing. Other
-/// arrays are optional; without them, time and applied force are NaN.
+/// Reads tip `index` of a recording or of the output of vtkToolContactProbe. Returns false if there
+/// is no such tip, or if one of the arrays Force, Deflection, ContactPoint and ContactCell is
+/// missing. Other arrays are optional. Without them, time and applied force are NaN.
 bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
-/// Writes the row of vtkHapticRecorder::GetStatistics. `nanoseconds` holds the duration of each
-/// tick.
+/// Writes the row of vtkHapticRecorder::GetStatistics. `nanoseconds`: duration of each tick.
 void fillStatistics(
   const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
-/// As above for real time, with the times of the servo loop.
+/// As above, for real time, with the times of the servo loop.
 void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
 
-/// Writes one row per fraction of the ticks, see vtkHapticRecorder::GetTiming.
+/// Writes one row per fraction of the ticks; see vtkHapticRecorder::GetTiming.
 void fillTiming(const ServoStatistics& statistics, vtkTable* table);
-/// Writes one row per class of durations, see vtkHapticRecorder::GetTimingHistogram.
+/// Writes one row per class of durations; see vtkHapticRecorder::GetTimingHistogram.
 void fillTimingHistogram(const ServoStatistics& statistics, vtkTable* table);
 } // namespace palpate
 

@@ -11,17 +11,17 @@
 
 namespace palpate
 {
-/// Counts and peaks over all ticks of a run, whether the ticks are stored or not.
+/// Counts and peaks over all ticks of a run, whether or not the ticks are stored.
 struct TickSummary
 {
   std::uint64_t ticks = 0;
   std::uint64_t inContact = 0;
-  double peakForce = 0.0;      ///< ideal, N
+  double peakForce = 0.0;      ///< ideal force, N
   double memoryAtPeak = 0.0;   ///< memory part of the peak force, N
-  double peakApplied = 0.0;    ///< N
-  double peakFriction = 0.0;   ///< N
+  double peakApplied = 0.0;    ///< applied force, N
+  double peakFriction = 0.0;   ///< friction, N
   double peakDeflection = 0.0; ///< mm
-  std::uint16_t acted = 0;     ///< every SafetyLink that acted in any tick
+  std::uint16_t acted = 0;     ///< all values of SafetyLink that acted in any tick
 
   void add(const Tick& tick)
   {
@@ -41,7 +41,7 @@ struct TickSummary
 class TickTape
 {
 public:
-  /// Discards the stored ticks, and stores the next ticks.
+  /// Discards the stored ticks and starts to store the next ticks.
   void start()
   {
     this->Ticks.clear();
@@ -64,12 +64,12 @@ private:
   bool Running = false;
 };
 
-/// Selects the ticks that are stored.
+/// Settings that determine which ticks are stored.
 struct TicksKept
 {
-  bool all = true;                ///< all ticks of the run
+  bool all = true;                ///< whether all ticks of the run are stored
   double historySeconds = 0.0;    ///< length of the history, s
-  std::shared_ptr<TickTape> tape; ///< stores the ticks between its start() and stop()
+  std::shared_ptr<TickTape> tape; ///< tape that stores the ticks between its start() and stop()
 };
 } // namespace palpate
 
