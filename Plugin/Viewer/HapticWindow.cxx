@@ -25,8 +25,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LongestFrame = 60.0; // s, longest time that the record can wait
-constexpr double PanelWidth = 256.0;  // pixels
+// Maximum time between two frames, s. The record can store the ticks of this time.
+constexpr double LongestFrame = 60.0;
+constexpr double PanelWidth = 256.0; // pixels
 constexpr double LargestPanelShare = 0.4;
 constexpr double ChartShare = 0.28; // fraction of the height
 

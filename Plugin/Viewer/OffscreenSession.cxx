@@ -54,7 +54,7 @@ double peakMemory()
   return 0.0;
 }
 
-/// The tick for the pictures, at the fraction `share` of the slide.
+/// Returns the tick for the pictures, at the fraction `share` of the slide.
 vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
 {
   // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
@@ -65,7 +65,7 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// The tick with the largest force; null without contact.
+/// Returns the tick with the largest force, or null without contact.
 const Tick* peakOf(const std::vector<Tick>& ticks)
 {
   const auto peak = std::max_element(ticks.begin(), ticks.end(),

@@ -39,14 +39,14 @@ double widestContact(const ViewerOptions& options, const ViewerScene& scene)
   return widest;
 }
 
-/// Returns "", or a message about the fault.
+/// Computes the compliance of the body as a whole. Returns "", or a message about the fault.
 std::string solve(const ViewerOptions& options, ViewerScene& scene, BodyYield& found)
 {
   const SoundBody sound(scene.body);
   const double radius = widestContact(options, scene);
   if (!sound.fault().empty() || !(radius > 0.0) || !makeBodyMesh(sound.body()).isClosed())
   {
-    return {}; // the response names the fault
+    return {}; // the response reports the fault
   }
   ProgressLine line("the body as a whole is solved");
   const std::string fault = findYield(

@@ -94,7 +94,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   return cells->GetOutput();
 }
 
-/// The surface of the solid with compliance and modes, fine enough for a dent.
+/// Makes the surface of the solid, with compliance and modes. It is fine enough for a dent.
 std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
 {
   vtkNew<vtkElasticCompliance> elastic;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// Sets the properties that are the same for both bodies.
+/// Sets the properties that both bodies share.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonRatio;
