@@ -58,7 +58,8 @@ def main(folder):
 
 
 def check_table(body, from_file, file):
-    """ParaView's CSV reader takes no comments, so that the tool is named beside it; every bit is as from the file."""
+    """ParaView's CSV reader does not accept comments, so the tool is given as a property. All bits are the same as with
+    the file."""
     with open(file, encoding="utf-8") as curves:
         rows = [line for line in curves if not line.startswith("#")]
     with open(file + ".plain.csv", "w", encoding="utf-8") as plain:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters that read a response offer the names of the responses on a body; any other name can be typed and is kept."""
+"""Filters that read a response offer the names of the responses on a body. Any other name can be typed and is kept."""
 import sys
 from paraview import servermanager, simple
 
@@ -35,8 +35,8 @@ for reader in READERS:
     # Without a choice the name stays as it is.
     assert name_and_choice(reader, ball) == ("Response", ["Response"]), reader
 
-# A name from a script that the body does not have yet is kept. It is among the choices once the
-# body changes.
+# A name from a script is kept even if the body does not have this response yet. The name is among
+# the choices when the body changes.
 regime = simple.ContactRegime(Input=cone)
 regime.ResponseName = "Later"
 regime.UpdateVTKObjects()
