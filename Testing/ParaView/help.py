@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The compiled help contains a page for every proxy, every page of the plugin, and every file that these pages show or link to.
-Its contents start with the six clicks and list each page once:
+"""The compiled help contains a page for every proxy, every page of the plugin, and every file that these pages show or
+link to. Its contents start with the six clicks and list each page once:
     help.py PALPATE.QCH SOURCE_OF_THE_PLUGIN PICTURES
 """
 import re

@@ -58,7 +58,7 @@ def force_in_series(curvatures, compliance, depth):
 
 
 def compliance_at(place):
-    """The compliance of the whole body in the response, mm/N, interpolated between the corners of the triangle there."""
+    """The compliance of the whole body in the response, mm/N, interpolated between the corners of the triangle."""
     body = servermanager.Fetch(simple.FindSource("ToolContactResponse1"))
     locator = vtkStaticCellLocator()
     locator.SetDataSet(body)

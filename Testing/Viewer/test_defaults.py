@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView, Python, C++ and the program have the same defaults and the same words. Each is read from its own source: the
-plugin's XML files, the signatures of the package, the getters of the classes, and the help and the summary of the program.
+"""ParaView, Python, C++ and the program have the same defaults and the same words. Each is read from its own source:
+the plugin's XML files, the signatures of the package, the getters of the classes, and the help and the summary of the
+program.
 
-Defaults that differ intentionally are excluded: the material of the built-in scenes, and whether the deflection of the whole
-body is included.
+Defaults that differ intentionally are excluded: the material of the built-in scenes, and whether the deflection of the
+whole body is included.
 """
 import inspect
 import re

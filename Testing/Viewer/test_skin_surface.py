@@ -58,8 +58,8 @@ def border_edges(surface):
 
 def passed(wave, iterations=30, pass_band=0.02):
     """
-    Remaining fraction of a wave after windowed-sinc smoothing. The wave is `wave` spacings long, on a lattice of squares
-    with a diagonal each.
+    Remaining fraction of a wave after windowed-sinc smoothing. The wave is `wave` spacings long, on a lattice of
+    squares with a diagonal each.
 
     Taubin, Zhang and Golub 1996: with the wave's eigenvalue k of the umbrella operator, here 2/3 (1 - cos(2 pi / wave))
     of six neighbours, f(k) = sum of w_n c_n T_n(1 - k/2). c_n are the coefficients of the ideal low pass up to an edge
