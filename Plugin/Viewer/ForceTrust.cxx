@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-// Largest relative error; a larger error (above 100 %) gives no information
+// Largest relative error; a larger error (above 100 %) gives no information.
 constexpr double Unbounded = 1.0;
 
 struct Trust

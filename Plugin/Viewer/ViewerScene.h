@@ -26,7 +26,7 @@ struct ViewerScene
   double poissonRatio = 0.45;
   LawTerms terms;         ///< terms of the law: strain, curvature, error
   PronySeries relaxation; ///< relaxation of the body
-  /// Whether the body already has the response "Response", which is used unchanged
+  /// Whether the body already has the response "Response", which is used unchanged.
   bool stored = false;
   /// Whether the body has nodules. It then also stores the responses without the nodules, and the
   /// changes of the force by the nodules.

@@ -62,7 +62,7 @@ private:
   int Far = -1;                      ///< file descriptor of the device's end; protected by Mutex
   std::vector<std::uint8_t> Unsent;  ///< rest of a report that did not fit
   std::vector<std::uint8_t> Pending; ///< beginning of a received report
-  /// Replaces the previous four members on a real kernel (kernel/)
+  /// Replaces the previous four members on a real kernel (kernel/).
   std::shared_ptr<UhidDevice> Uhid;
 };
 } // namespace palpate::testing

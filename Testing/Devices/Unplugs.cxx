@@ -33,7 +33,7 @@ struct Options
 struct Tally
 {
   int pulls = 0;
-  /// Number of pulls without force in the first tick after the report and in the next twenty ticks
+  /// Number of pulls without force in the first tick after the report and in the next twenty ticks.
   int withoutForce = 0;
   int pressing = 0;          ///< number of pulls during which the motors had a force
   double strongest = 0.0;    ///< largest force of the motors at a pull, N

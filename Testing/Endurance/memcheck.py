@@ -28,7 +28,7 @@ from pathlib import Path
 ROOMS = ("Mechanics", "Contact", "Laws", "Strain", "Solids", "Identification", "Haptics", "Transports", "Trials")
 QUICK = {"palpateTickTests": "*"}
 SUPPRESSIONS = Path(__file__).with_name("memcheck.supp")
-# Tests per valgrind: a start takes a second, and the last chunks should end at about the same time
+# Tests per valgrind: a start takes a second, and the last chunks should end at about the same time.
 CHUNK = 12
 
 # Pattern -> reason. Under valgrind, programs run 30 to 100 times slower, with one thread at a time.

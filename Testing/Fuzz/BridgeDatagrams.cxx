@@ -50,7 +50,7 @@ public:
   void begin()
   {
     this->Time += 1.0;
-    // After a long silence the device is lost and receives a greeting again
+    // After a long silence the device is lost and receives a greeting again.
     this->Device->read(this->Time);
     this->serve(described());
     this->Device->read(this->Time);

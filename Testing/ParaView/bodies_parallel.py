@@ -40,7 +40,7 @@ def check(name, source, area, triangles, **settings):
         total = sums.GetCellData().GetArray("Area").GetTuple1(0)
         np.testing.assert_allclose(total, area, rtol=1e-6, err_msg=name)    # coordinates are floats
         whole = sums.GetPointData().GetArray("ResponseForce").GetTuple(0)[-1]
-        # The same force at every point; float rounding
+        # The same force at every point; float rounding.
         np.testing.assert_allclose(whole, force * area, rtol=2e-6, err_msg=name)
     return response
 

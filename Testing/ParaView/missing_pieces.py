@@ -44,7 +44,7 @@ def update():
 def main(folder, mpiexec, pvbatch, mechanics):
     libraries = os.path.join(folder, "missing_pieces")
     os.makedirs(libraries, exist_ok=True)
-    # The library under its soname
+    # The library under its soname.
     shutil.copy(mechanics, os.path.join(libraries, os.path.basename(mechanics).rsplit(".", 1)[0]))
     path = ":".join(filter(None, (libraries, os.environ.get("LD_LIBRARY_PATH"))))
     for ranks in (1, 2):

@@ -2,8 +2,8 @@
 """A body in pieces on several processes gives the same results as on one process: parallel.py FOLDER, under mpiexec.
 
 The serial result comes from the same filters without a controller, on process 0, for any number of processes.
-Triangles, and results that depend only on data of the point itself, are bitwise equal (ranks.py). All other results are bitwise
-equal away from seams, and everywhere if normals are given. At a seam the normals of triangles are summed in another
+Triangles, and results that depend only on data of the point itself, are bitwise equal (ranks.py). All other results are
+bitwise equal away from seams, and everywhere if normals are given. At a seam the normals of triangles are summed in another
 order. There the arrays of the response agree to a unit in the last place of a float (2e-7 of their largest value);
 forces and displacements follow from these arrays.
 """

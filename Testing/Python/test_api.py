@@ -680,7 +680,7 @@ class Memory(unittest.TestCase):
         second = palpate.probe(body, scattered(7))
         self.assertIs(_probe._prepared._kept[0][2], kept)
         self.assertEqual((len(first.forces), len(second.forces)), (5, 7))
-        # The array has changed, so it must be read again
+        # The array has changed, so it must be read again.
         body.GetPointData().GetArray("ResponseForce").Fill(0.0)
         body.GetPointData().GetArray("ResponseStiffness").Fill(0.0)
         body.Modified()

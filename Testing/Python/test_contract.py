@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.contract implements the data contract in numpy. It is compared with the kernel: with vtkResponseCurves at single
-points, and with vtkToolContactProbe between points and beyond the range. Random bodies, both storage forms.
+"""palpate.contract implements the data contract in numpy. It is compared with the kernel: with vtkResponseCurves at
+single points, and with vtkToolContactProbe between points and beyond the range. Random bodies, both storage forms.
 
 Both sides read the same float32 arrays and calculate in double, but in another order. TOLERANCE allows 1e-12 of the
 largest sample of a curve: about 1e-16 per operation, times the differences of neighbouring samples, weighted by up to
@@ -149,7 +149,7 @@ class AgainstTheTable(unittest.TestCase):
                     if use == absent:
                         self.assertIsNone(array)
                         continue
-                    # Arrays of other filters, and of stacks
+                    # Arrays of other filters, and of stacks.
                     if use == "Remark" or name in ("LayerStack", "SecondThickness"):
                         self.assertEqual(array is not None, name.startswith("Reduction") and filter is compact)
                         continue

@@ -25,9 +25,9 @@ from bodies import lump, nifti  # noqa: E402
 CORNERS = np.array([[-10, -10, 0], [10, -10, 0], [0, 10, 0], [0, 0, 20]], dtype=float)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 VERTICES = "".join("v %g %g %g\n" % tuple(corner) for corner in CORNERS)
-# Files of each kind that VTK reads, each read in its own process
+# Files of each kind that VTK reads, each read in its own process.
 DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))
-# Kinds that Palpate reads, in this process; ten times as many files
+# Kinds that Palpate reads, in this process; ten times as many files.
 OURS = (".stl", ".obj")
 
 

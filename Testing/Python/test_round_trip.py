@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body with its response that is saved as .vtp is complete: a separate Python with only numpy and VTK's reader gets the
-same curves from it.
+"""A body with its response that is saved as .vtp is complete: a separate Python with only numpy and VTK's reader gets
+the same curves from the file.
 
 The data are inline. Testing/Cxx/Response/TestRoundTrip.cxx states the reason against appended data.
 """

@@ -64,9 +64,9 @@ class Forces(unittest.TestCase):
     def test_a_block_is_a_layer(self):
         """A block of one tissue, 24 mm thick and 64 mm wide, on its fixed base has the law of a bonded layer.
 
-        Its free sides are 32 mm away, which is more than its thickness, and soften it by less than 1 %. The voxels place
-        its faces to 0.1 mm, which changes the force by 1 % through the thickness. Elements as long as a sixth of the
-        thickness have an error of about 1 %.
+        Its free sides are 32 mm away, which is more than its thickness, and soften it by less than 1 %. The voxels
+        place its faces to 0.1 mm, which changes the force by 1 % through the thickness. Elements as long as a sixth of
+        the thickness have an error of about 1 %.
         """
         size, spacing = (64, 64, 24), 1.0
         solid = filled(block(size, spacing), spacing, {1: SOFT}, cells=4)
@@ -81,11 +81,12 @@ class Forces(unittest.TestCase):
         self.assertGreater(force, half_space)
 
     def test_a_hard_ball_is_felt(self):
-        """A ball of 3 mm radius, ten times as hard, whose top is 2 mm deep, increases the force on a sphere of 1.6 mm by 24.0 %.
+        """A ball of 3 mm radius, ten times as hard, whose top is 2 mm deep, increases the force on a sphere by 24.0 %.
 
-        The number is from axisymmetric finite elements that follow the ball, by another code (Data/Studies/nodule/nodule.md).
-        Cells as long as half the depth of a ball have an error of 5 % of the force (vtkElasticContactResponse). The voxels
-        place the ball's top to half their side, 0.25 mm; the force changes by 16 % per mm there.
+        The sphere has a radius of 1.6 mm. The number is from axisymmetric finite elements that follow the ball, by
+        another code (Data/Studies/nodule/nodule.md). Cells as long as half the depth of a ball have an error of 5 % of
+        the force (vtkElasticContactResponse). The voxels place the ball's top to half their side, 0.25 mm; the force
+        changes by 16 % per mm there.
         """
         size, spacing, ball = (80, 80, 40), 0.5, (20.0, 20.0, 2.0, 3.0)
         walls = "z-,x-,x+,y-,y+"

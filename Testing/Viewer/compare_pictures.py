@@ -25,7 +25,7 @@ import numpy
 
 FORGIVEN_LEVELS = 10  # per pixel, red + green + blue; Picture.h states the reasons for both numbers
 THRESHOLD = 5.0  # number of pixels with the largest possible difference
-# Rows from the bottom, columns; a part is faster to compare than the whole picture
+# Rows from the bottom, columns; a part is faster to compare than the whole picture.
 CORNER = (slice(0, 300), slice(0, 400))
 SKIPPED = 77
 

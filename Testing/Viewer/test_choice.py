@@ -61,7 +61,7 @@ class Choice(SessionCase):
                 array = numpy_to_vtk((values * factors(values.shape)).astype(numpy.float32), deep=True)
                 array.SetName(name)
                 body.GetPointData().AddArray(array)
-            # See the manual, Reference/arrays.md, for why the file is binary
+            # See the manual, Reference/arrays.md, for why the file is binary.
             path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)
             said = choice(self.succeed(path, "--verbose"))
             for word in words:

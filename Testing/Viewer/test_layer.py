@@ -93,7 +93,7 @@ class Layer(SessionCase):
         stack = vtk_to_numpy(body.GetFieldData().GetArray("ResponseLayerStack"))
         numpy.testing.assert_allclose(stack[:, 1:3], [[0.2, 0.48], [0.03, 0.49]])
         self.assertIn("the rest of the soft tissue of 0.03 MPa", result.stdout)
-        # On the soft base the force is less than with the first layer alone
+        # On the soft base the force is less than with the first layer alone.
         self.assertIn("the first: sphere:3 0.", result.stdout)
         # At more than half of the points, the given thickness of the second layer is not possible.
         self.succeed(path, *usual, "--layers", "scan:0.03:0.49,50:0.2:0.48", pictures=(*PICTURES, "thickness"))

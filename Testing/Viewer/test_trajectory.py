@@ -96,7 +96,7 @@ class Trajectory(SessionCase):
                           r"(?:; above ± 5 % in ([\d.]+) % of the contact)?$", said.stdout, re.MULTILINE)
         self.assertTrue(found, said.stdout)
         typical = float(found.group(1))
-        # One number if all three are equal
+        # One number if all three are equal.
         largest, above = float(found.group(2) or typical), float(found.group(3) or 0)
         # The global deflection of a ball of 25 mm adds 0.46 a/R_b to its law: 3 % at 1 mm. Strain
         # adds 2 %.

@@ -22,7 +22,7 @@ namespace palpate
 {
 namespace
 {
-/// Number of source points; solved in about a minute on two cores
+/// Number of source points; solved in about a minute on two cores.
 constexpr double UsualSources = 10000.0;
 /// Smallest spacing as a fraction of the contact radius. The spacing may be smaller if the shape of
 /// the body requires it.

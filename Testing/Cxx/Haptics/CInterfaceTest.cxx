@@ -54,7 +54,7 @@ BodyHandle load(const Exported& file)
   return { palpate_body_load(file.path.c_str(), nullptr, 0), &palpate_body_free };
 }
 
-/// Reason for refusing the settings; "" if they are accepted.
+/// Returns the reason for refusing the settings; "" if they are accepted.
 std::string refusal(const palpate_body* body, const palpate_settings& settings)
 {
   std::array<char, 256> reason{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every value arrives in order, or its loss is counted. The thread sanitizer runs this test, too.
+// Every value arrives in order, or its loss is counted. This test also runs with the thread
+// sanitizer.
 #include "Haptics/Servo/SampleRing.h"
 
 #include <gtest/gtest.h>
@@ -128,7 +129,7 @@ TEST(SampleRing, BetweenThreadsValuesAreWholeInOrderAndAccountedFor)
   bool finished = false;
   while (!finished)
   {
-    finished = done; // read before the drain, which then gets all values pushed before
+    finished = done; // read before the drain, so that the drain gets all values pushed before
     ring.drain(
       [&](const Values& values)
       {

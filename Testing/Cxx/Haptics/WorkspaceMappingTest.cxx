@@ -39,7 +39,7 @@ TEST(WorkspaceMapping, MetresBecomeMillimetres)
 
 TEST(WorkspaceMapping, ByHand)
 {
-  // A quarter turn about z takes x to y; then twice the size; then a translation.
+  // A quarter turn about z maps x to y. Then follow a scale of 2 and a translation.
   Matrix3d quarter;
   quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   const WorkspaceMapping mapping(quarter, Vector3d(10, 20, 30), 2.0);
@@ -102,7 +102,7 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
 
 TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 {
-  // A spring of the body, K = 2 N/mm along y, is moved by the device: dF/dx in the device's frame.
+  // The device moves a spring of the body, K = 2 N/mm along y: dF/dx in the device's frame.
   std::mt19937 random(4);
   for (const double scale : { 0.2, 1.0, 3.0 })
   {
@@ -122,7 +122,7 @@ TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 
 TEST(WorkspaceMapping, PlanarDevicesMoveInAPlaneOfTheBody)
 {
-  // The device's x is along the body's y, its y along the body's z: the plane x = 7.
+  // The device's x is along the body's y, and its y along the body's z: the plane x = 7.
   const WorkspaceMapping mapping =
     WorkspaceMapping::inPlane(Vector3d(7, 1, 2), Vector3d::UnitY(), Vector3d::UnitZ(), 2.0);
   EXPECT_TRUE(mapping.isPlanar());
@@ -153,8 +153,8 @@ TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
         (planar ? turned.planar() : turned).fitted(lower, upper, workspace, margin);
       ASSERT_FALSE(mapping.fault());
       EXPECT_EQ(mapping.rotation(), turned.rotation());
-      // By brute force: all corners, moved outward by the margin along the axes of the device, are
-      // in the workspace, and the farthest is at its border.
+      // Check by enumeration: all corners, moved outward by the margin along the axes of the
+      // device, are in the workspace, and the farthest corner is at its border.
       double farthest = 0.0;
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -184,7 +184,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   mirror(2, 2) = -1.0; // a device with left-handed axes
   EXPECT_FALSE(WorkspaceMapping(mirror, origin, 1.0).fault());
   Matrix3d typed;
-  typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // seven digits
+  typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // rounded to seven digits
   EXPECT_FALSE(WorkspaceMapping(typed, origin, 1.0).fault());
 
   Matrix3d skew = unit;
@@ -202,7 +202,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   {
     EXPECT_EQ(WorkspaceMapping(unit, origin, wrong).fault().name, "Scale") << wrong;
   }
-  // Axes of a plane that are not at right angles; a box with wrong bounds; no workspace; no margin.
+  // Axes of a plane that are not perpendicular; a box with wrong bounds; no workspace; no margin.
   EXPECT_EQ(
     WorkspaceMapping::inPlane(origin, Vector3d::UnitX(), Vector3d(1, 1, 0).normalized(), 1.0)
       .fault()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A HID device that reports the orientation of its tool and receives a torque; and one that does
-// neither.
+// A HID device that reports the orientation of its tool and receives a torque; and a HID device
+// that does neither.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -21,7 +21,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A force device on a bus with the host's end of it.
+/// A force device on a bus, with the host's device object.
 struct Bench
 {
   FakeHidBus bus;
@@ -45,7 +45,8 @@ struct Bench
     EXPECT_EQ(error, "");
   }
 
-  /// Sends a state with this x and orientation. Returns the sample in which the tick reads it.
+  /// Sends a state with this x and orientation. Returns the sample that the tick reads from this
+  /// state.
   DeviceSample tell(double x, const ToolOrientation& orientation)
   {
     StateReport state;

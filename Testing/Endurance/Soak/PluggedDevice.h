@@ -43,7 +43,7 @@ struct PluggedDevice
   const TrueHand* hand = nullptr; ///< the part of `device` that stores the true sample
   double absence = 0.0;           ///< time without any device before this device, s
   double life = 0.0;              ///< time for which the device is plugged in, s
-  /// Time of the hang since the device was plugged in, s
+  /// Time of the hang since the device was plugged in, s.
   double hangAt = std::numeric_limits<double>::infinity();
   double hangFor = 0.0; ///< delay of the loop by one reading, s
   std::unique_ptr<PluggedDevice> next;

@@ -35,7 +35,7 @@ enum class TickFault : std::uint8_t
   Record,    ///< sent and recorded force differ
   Tip,       ///< the tip is not at the position that the device reported
   Scene,     ///< a scene that was not offered, a skipped scene, or a wrong share
-  /// Force does not match body and position: outdated, of a wrong body, or outside the cone
+  /// Force does not match body and position: outdated, of a wrong body, or outside the cone.
   Contact,
   /// a force without a sample, after a failure, or before the tip has been outside again
   AfterLoss,

@@ -76,7 +76,7 @@ private:
 
   std::unique_ptr<PluggedDevice> Current; ///< used only by the servo thread, like the members below
   std::unique_ptr<PluggedDevice> Next;
-  /// Time when Current was plugged in, or when the previous device was unplugged, s
+  /// Time when Current was plugged in, or when the previous device was unplugged, s.
   double Since = 0.0;
   DeviceRecord Open;
   bool IsOpen = false;
