@@ -29,7 +29,7 @@ constexpr double Raised = 0.005;
 
 struct Site
 {
-  Eigen::Vector3d above; ///< a little above the surface
+  Eigen::Vector3d above; ///< a point slightly above the surface
   Eigen::Vector3d normal;
 };
 

@@ -89,7 +89,8 @@ HapticWindow::HapticWindow(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
-  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel may press deeper
+  // The factor is for the wheel, which may press deeper.
+  , LargestForce(2.0 * usualForce(responses, scene.depth))
 {
   // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
   this->Window->SetMultiSamples(0);

@@ -79,7 +79,7 @@ std::string momentInWords(const Tick& tick)
   const Eigen::Vector3d& place = tick.contact.contactPoint;
   std::array<char, 120> text{};
   const auto tenths = [](double length)
-  { return std::round(10.0 * length) / 10.0 + 0.0; }; // no "-0"
+  { return std::round(10.0 * length) / 10.0 + 0.0; }; // the sum with 0.0 avoids "-0"
   std::snprintf(text.data(), text.size(), "%.3f s, %.1f, %.1f, %.1f mm", tick.time,
     tenths(place.x()), tenths(place.y()), tenths(place.z()));
   return text.data();

@@ -18,7 +18,7 @@ std::string makePath(const ViewerScene& scene, vtkPolyData* path);
 struct TouchSite
 {
   std::array<double, 3> point{};  ///< mm
-  std::array<double, 3> normal{}; ///< unit, outward
+  std::array<double, 3> normal{}; ///< unit vector, outward
 
   /// The point at this height above the site, mm.
   std::array<double, 3> above(double height) const;

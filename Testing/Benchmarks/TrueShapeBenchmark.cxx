@@ -41,7 +41,8 @@ void ElasticContactResponseOfThreeTools(benchmark::State& state)
     filter->SetTool(tool);
     double first = 0.0;
     double next = 0.0;
-    for (const char* name : { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the widest tool first
+    for (const char* name :
+      { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the tool with the widest contact is first
     {
       tool->SetSpecification(name);
       const double seconds = secondsOf(filter);

@@ -97,7 +97,7 @@ gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
   {
     if (model.feature.empty())
     {
-      // a stall, in the form that usbhid reports it
+      // A stall, in the form that usbhid reports it.
       umockdev_ioctl_client_complete(client, -1, EPIPE);
       return TRUE;
     }

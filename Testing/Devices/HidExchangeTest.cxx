@@ -151,13 +151,13 @@ TEST(HidExchange, WhatIsNoReportIsCountedAndNotUsed)
   report[20] ^= 0x10; // wrong checksum
   refused(64, 1);
   pack(state, report);
-  refused(63, 2); // short
+  refused(63, 2); // the report is too short
   refused(1, 3);
   report[60] ^= 1;
   refused(
     96, 5); // too long: hidapi delivers 64 bytes; here the other 32 are a second, short report
   pack(state, report);
-  report[2] = 2; // version
+  report[2] = 2; // wrong version
   refused(64, 6);
   pack(ForceReport(), report); // a report of the wrong direction
   refused(64, 7);

@@ -27,7 +27,7 @@ class WholeBody(SessionCase):
         solved = self.solutions()
         self.assertEqual(len(solved), 1)
         side = re.search(HELD, whole.stderr).group(1)
-        # A cap whose height h is a fraction of the diameter d has a projected area of pi h (d - h),
+        # On a ball of diameter d, a cap of height h has a projected area of pi h (d - h),
         # which is a quarter of the square at h = 0.09 d. Only whole rings of triangles are held, so
         # the next step of 3 % is used: 12 % of 50 mm.
         self.assertEqual(side, "z-:6")

@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
     for (const double x : { -RollerPosition, RollerPosition })
     {
       const double middle = -StripThickness - RollerRadius;
-      vtkNew<vtkCylinderSource> roller; // along y
+      vtkNew<vtkCylinderSource> roller; // the roller is along y
       roller->SetRadius(RollerRadius);
       roller->SetHeight(Width + 2.0);
       roller->SetResolution(48);
@@ -183,7 +183,7 @@ void describe(const ViewerOptions& options, ViewerScene& scene)
   scene.depth = options.depth.value_or(1.0);
   scene.center = { 0.0, 0.0, -1.5 };
   scene.directions = { { 0.0, 0.0, 1.5 }, { SlideLength, 0.0, 1.5 } };
-  scene.pictureAt = 0.0; // in the middle of the strip
+  scene.pictureAt = 0.0; // the pictures are taken in the middle of the strip
   scene.viewFrom = { 0.25, -0.9, 0.42 };
 }
 } // namespace

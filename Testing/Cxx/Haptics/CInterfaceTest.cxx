@@ -86,7 +86,7 @@ TEST(CInterface, StepsAsServoStepDoes)
     const palpate::Tick expected = servo.step(sample, t);
     palpate_tick tick;
     palpate_step(contact, sample.position.data(), t, &tick);
-    palpate_foresee(contact); // has no effect
+    palpate_foresee(contact); // must have no effect
     EXPECT_EQ(tick.state, static_cast<int>(expected.contact.state));
     EXPECT_EQ(tick.deflection, expected.contact.deflection);
     EXPECT_EQ(tick.normal_force, expected.contact.normalForce);

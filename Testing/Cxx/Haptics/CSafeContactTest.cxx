@@ -230,7 +230,7 @@ TEST(CSafeContact, EachSafetyReachesTheChain)
   safety.gate = 0;
   const palpate_full_tick capped = deepest();
   EXPECT_NE(capped.acted & PALPATE_STIFFNESS_CAP, 0U);
-  EXPECT_LE(capped.tick.device_force[2], 2.0 * capped.tick.deflection); // 2 N/mm
+  EXPECT_LE(capped.tick.device_force[2], 2.0 * capped.tick.deflection); // the cap is 2 N/mm
   safety.cap_stiffness = 0;
   safety.control_passivity = 0;
   const palpate_full_tick clamped = deepest();

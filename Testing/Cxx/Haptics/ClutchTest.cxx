@@ -55,7 +55,7 @@ TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
     }
     else // also in the tick of the press: the tip moves with the hand
     {
-      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding error of 40 mm
+      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding error for positions of 40 mm
     }
     last = tip;
   }

@@ -94,7 +94,7 @@ TEST(FaultyDevice, TheGravestHappens)
     "xx" // still stalled, without a last sample
     "x"  // dropped, without a last sample
     "9");
-  EXPECT_EQ(device.errors().lost, 3U); // 1, 2 and 8
+  EXPECT_EQ(device.errors().lost, 3U); // samples 1, 2 and 8
   EXPECT_EQ(device.errors().disconnections, 1U);
 }
 
@@ -112,7 +112,7 @@ TEST(FaultyDevice, ForcesWhileStalledAndGone)
     device.read(tick);
     if (tick == 6)
     {
-      EXPECT_EQ(felt.lastForce(), Vector3d::Zero()); // in the same tick
+      EXPECT_EQ(felt.lastForce(), Vector3d::Zero()); // zero in the same tick
       EXPECT_EQ(device.status(), "disconnected, by a fault that was asked for");
     }
     taken += device.write({ 1.0 + tick, 0.0, 0.0 }) ? 'y' : 'n';

@@ -95,7 +95,7 @@ TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
       go(-0.2, 0.8);
       go(-0.2, -0.2);
     }
-    EXPECT_NEAR(largest, 0.8 * Spring, 1e-5); // floats
+    EXPECT_NEAR(largest, 0.8 * Spring, 1e-5); // rounding of floats
   }
 }
 

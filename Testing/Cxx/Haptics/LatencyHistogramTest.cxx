@@ -64,7 +64,7 @@ TEST(LatencyCounts, ClassesCoverEveryDurationOnceAndNarrowly)
     EXPECT_LE(longest - shortest, shortest / 32) << i;
     shortest = longest + 1;
   }
-  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // nearly 69 s
+  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // ns; nearly 69 s
   EXPECT_EQ(LatencyCounts::classOf(shortest), LatencyCounts::Classes - 1);
   EXPECT_EQ(
     LatencyCounts::classOf(std::numeric_limits<std::int64_t>::max()), LatencyCounts::Classes - 1);

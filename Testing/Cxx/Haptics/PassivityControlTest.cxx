@@ -410,7 +410,7 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
   {
     ForcesUnderWay forces(n * Period, Period);
     EXPECT_EQ(forces.late(), static_cast<std::size_t>(n));
-    std::vector<double> sent; // newest first
+    std::vector<double> sent; // sent forces, newest first
     for (int i = 0; i < 200; ++i)
     {
       const double size = upTo(random);

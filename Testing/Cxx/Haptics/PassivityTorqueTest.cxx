@@ -120,7 +120,7 @@ TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
     control.observe(Period * (i + 1), Vector3d::Zero(), turnedBy(angle));
   }
   const double damping = 1000 * 0.5 * Torsion * Turn * Turn;
-  EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // rounding
+  EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // 1e-12 for rounding
   EXPECT_GT(given, 0.9 * whole);                                       // nearly all of it
 }
 

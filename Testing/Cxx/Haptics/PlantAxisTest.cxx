@@ -152,7 +152,7 @@ TEST(PlantAxis, AHandIsNotStrongerThanItsLimit)
   const double reached = std::sqrt(2.0 * 0.0015 / 5.0);
   const double speed = 5.0 * reached;
   const double omega = std::sqrt(1000.0 / 0.1);
-  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // to the centre
+  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // time to the centre
   const auto middle = axis.advance({ 0.0, 0.0 }, { 0.0, 0.002 }, reached + quarter);
   EXPECT_NEAR(middle.position, 0.002, 1e-12);
   EXPECT_TRUE(agrees(middle.velocity, std::hypot(speed, 0.0005 * omega), 1e-9));

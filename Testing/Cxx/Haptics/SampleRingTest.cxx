@@ -72,7 +72,7 @@ TEST(SampleRing, WhatIsPreparedIsNotDrained)
     ring.push(2 * i);
     ring.prepare(-1);
     ring.push(2 * i + 1);
-    ring.prepare(-1); // full
+    ring.prepare(-1); // the ring is full
     EXPECT_EQ(drained(ring), (std::vector<long>{ 2 * i, 2 * i + 1 }));
   }
   EXPECT_EQ(ring.overruns(), 0u);

@@ -176,7 +176,8 @@ TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
   for (int i = 0; i < 60; ++i)
   {
     const SceneForce felt = scenes.update(still, Period, Infinity);
-    EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force); // float32 curves
+    // Curves are stored as float32.
+    EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force);
   }
   EXPECT_FALSE(scenes.isSwitching());
 }
@@ -237,13 +238,13 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
       EXPECT_EQ(count(scenes.takeRetired()), 1);
     }
     const Vector3 now = scenes.update(tipAt(0), Period, Infinity).idealForce;
-    // the largest change is from 1 to 4
+    // The largest change is from 1 to 4.
     EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6);
     last = now;
     felt.push_back(now.norm() / force);
   }
   EXPECT_NEAR(felt[0], 1.0, 1e-6);  // float32 curves, as below
-  EXPECT_NEAR(felt[25], 2.5, 1e-5); // half way
+  EXPECT_NEAR(felt[25], 2.5, 1e-5); // in the middle of the ramp
   EXPECT_NEAR(*std::max_element(felt.begin(), felt.end()), 4.0, 1e-5);
   EXPECT_NEAR(felt[49], 4.0, 0.061); // at the end of the ramp, less one tick
   EXPECT_NEAR(felt.back(), 2.0, 1e-5);
@@ -288,7 +289,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
     scenes.update(tip, Period, Infinity);
   }
   const double sliding = scenes.update(tip, Period, Infinity).contact.friction.x();
-  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ 10 N, float32
+  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ times 10 N, stored as float32
   scenes.change(sceneOf(body, 1.0, 0.5));
   double last = sliding;
   for (int i = 0; i <= 50; ++i) // the tip is at rest
@@ -358,7 +359,8 @@ TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
     const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_FALSE(felt.outside);
     EXPECT_EQ(felt.contact.state, ContactState::Slide);
-    EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6); // 10 N over 50 ms
+    // A change of 10 N over 50 ms.
+    EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6);
     last = felt.idealForce.z();
   }
   EXPECT_GT(last, 9.5); // 10 δ^1.5, less the sag of the facets

@@ -98,7 +98,8 @@ struct SlabHands
   bool isOnTop(std::size_t hand) const
   {
     const Contact& contact = this->step.ticks[hand].contact;
-    return contact.force.z() > 0.0 && std::abs(contact.deflection - 1.8) < 1e-6; // floats
+    // Rounding of floats.
+    return contact.force.z() > 0.0 && std::abs(contact.deflection - 1.8) < 1e-6;
   }
 };
 } // namespace
@@ -163,7 +164,7 @@ TEST(ServoHandsChange, CoupledForcesGoOverLinearly)
     for (std::size_t hand = 0; hand < 2; ++hand)
     {
       EXPECT_NEAR(hands.ticks[hand].deviceForce.z(),
-        (1.0 - way) * coupled[hand] + way * alone[hand], 1e-5) // floats
+        (1.0 - way) * coupled[hand] + way * alone[hand], 1e-5) // rounding of floats
         << i << ", hand " << hand;
     }
   }

@@ -117,10 +117,11 @@ TEST(ServoHands, TheSecondLiftsForceOffTheFirst)
   const auto body = flatPlate();
   TwoHandStep hands = handsOn(body);
   TwoSamples samples = FlatEnds::pressing(0.5, -1.0);
-  EXPECT_NEAR(hands.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
+  // Rounding of floats.
+  EXPECT_NEAR(hands.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
   for (int tick = 1; tick < 200; ++tick)
   {
-    const double depth = std::min(0.8, 0.008 * tick); // mm, of the second hand
+    const double depth = std::min(0.8, 0.008 * tick); // depth of the second hand, mm
     samples = FlatEnds::pressing(0.5, depth);
     const auto& ticks = hands.press(samples, 1e-3 * tick);
     const double first = FlatEnds::force(0.5, depth);
@@ -137,7 +138,7 @@ TEST(ServoHands, TheSecondLiftsForceOffTheFirst)
   // The force of the first hand is reduced by C_12 F_2 K.
   const auto& ticks = hands.ticks;
   EXPECT_NEAR(0.5 * Spring - ticks[0].deviceForce.z(), Mutual * ticks[1].deviceForce.z() * Spring,
-    1e-5); // floats
+    1e-5); // rounding of floats
   EXPECT_GT(0.5 * Spring - ticks[0].deviceForce.z(), 0.3);
 
   TwoHandStep apart = handsOn(flatPlate(false));
@@ -220,7 +221,7 @@ TEST(ServoHands, TheStiffnessCapCountsBoth)
     const double ideal = isCoupled ? FlatEnds::force(0.5, 0.5) : 0.5 * Spring;
     const Tick& tick = hands.ticks[0];
     EXPECT_NEAR(tick.idealForce.z(), ideal, 1e-5);
-    EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // floats
+    EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // rounding of floats
   }
 }
 
@@ -272,7 +273,7 @@ bool calmsDown(bool isCoupled, double stiffness)
 TEST(ServoHands, OppositeMotionIsUnstableWhereItsStiffnessIs)
 {
   const double limit = 2003.339;
-  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // 0.745
+  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // the value is 0.745
   // At 3 % from the limit, an oscillation changes by e^±3 in 20 s.
   EXPECT_TRUE(calmsDown(true, 0.97 * share * limit));
   EXPECT_FALSE(calmsDown(true, 1.03 * share * limit));

@@ -64,7 +64,8 @@ TEST(ServoRelaxation, TimeIsThatOfTheTicks)
   double remembered = 0.0;
   for (int i = 0; i < 2000; ++i)
   {
-    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // uneven ticks
+    // Ticks with unequal periods.
+    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i)));
     const Tick tick = step.step(sampleAt(pathAt(t)), t);
     const Contact expected = contact.update(tick.tip, i > 0 ? t - last : 0.0);
     ASSERT_EQ(tick.contact.force, expected.force) << i;

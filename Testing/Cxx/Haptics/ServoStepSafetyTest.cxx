@@ -205,7 +205,7 @@ TEST(ServoStepSafety, AMissingReadingCostsItsTickAndNotTheTouch)
 
 TEST(ServoStepSafety, ASilentDeviceIsSentNothingFromTheTickItCountsAsLost)
 {
-  Pressed pressed(whole()); // 20 ms
+  Pressed pressed(whole()); // the time-out is 20 ms
   DeviceSample silent = overSlab(1.2);
   silent.fresh = false;
   int sent = 0;
@@ -253,7 +253,7 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
       safety.maximumStiffness = 3000.0; // N/m
       safety.forceFactor = factor;
       const WorkspaceMapping mapping(Eigen::Matrix3d::Identity(), Vector3d::Zero(), scale);
-      ServoStep step(slabScene(3.0F), mapping, safety); // 45 √δ N/mm
+      ServoStep step(slabScene(3.0F), mapping, safety); // the stiffness is 45 √δ N/mm
       const double way = 1e-6;                          // m
       double last = 0.0;
       double stiffest = 0.0;
@@ -346,7 +346,7 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       const double height = 1.2 + 0.1 * std::clamp(i - wait, 0, 200);
       pressed.go(overSlab(height, held ? Button : 0));
       EXPECT_EQ(pressed.last.clutched, held);
-      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding error of 40 mm
+      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding error for positions of 40 mm
       EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), full * Period / 0.05 + 1e-9) << i;
       EXPECT_NEAR(pressed.last.contact.force.z(), full, 1e-9) << "the tip feels what it felt";
       last = pressed.last.deviceForce.z();
@@ -400,7 +400,7 @@ TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
     EXPECT_EQ(pressed.last.scene, 1U);
     last = pressed.last.deviceForce.z();
   }
-  EXPECT_NEAR(last, 2.0 * before, 1e-5); // float32 curves
+  EXPECT_NEAR(last, 2.0 * before, 1e-5); // curves are stored as float32
   EXPECT_EQ(pressed.last.sceneShare, 1.0);
 }
 

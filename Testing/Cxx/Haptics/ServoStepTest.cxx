@@ -142,7 +142,8 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
   DeviceSample failed = sampleAt(Vector3d(0.0203, 0.0187, 0.0012));
   failed.valid = false;
   for (const DeviceSample& bad : { failed, DeviceSample(), sampleAt(Vector3d(NotANumber, 0, 0)),
-         sampleAt(Vector3d(0, Infinity, 0)), sampleAt(Vector3d(0, 0, 1e306)) }) // overflows in mm
+         // The last position overflows in mm.
+         sampleAt(Vector3d(0, Infinity, 0)), sampleAt(Vector3d(0, 0, 1e306)) })
   {
     ServoStep step(*body, WorkspaceMapping(), 100.0);
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0020)), 0.0).deviceForce.z(), 0.0);

@@ -140,12 +140,12 @@ TEST(SimulatedPlant, EncodersRound)
   device.write({ 1.0, -1.0, 0.0 });
   DeviceSample sample = device.read(0.25); // at 0.0625, half a step: rounded away from zero
   EXPECT_EQ(sample.position, Vector3d(0.125, -0.125, 0.0));
-  sample = device.read(0.5); // at 0.25
+  sample = device.read(0.5); // the true position is 0.25
   EXPECT_EQ(sample.position, Vector3d(0.25, -0.25, 0.0));
   EXPECT_EQ(sample.velocity, Vector3d(0.5, -0.5, 0.0)); // computed from the readings
   EXPECT_EQ(device.truePosition(), Vector3d(0.25, -0.25, 0.0));
   EXPECT_EQ(device.trueVelocity(), Vector3d(1.0, -1.0, 0.0));
-  sample = device.read(0.55); // at 0.3025
+  sample = device.read(0.55); // the true position is 0.3025
   EXPECT_EQ(sample.position, Vector3d(0.25, -0.25, 0.0));
   EXPECT_TRUE(agrees(device.truePosition().x(), 0.3025, 1e-15));
 }
@@ -206,7 +206,7 @@ TEST(SimulatedPlant, SteeredFromAnotherThread)
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3d x = device.read(time += 1e-3).position;
-    EXPECT_EQ(x.x(), x.y()); // targets are not torn
+    EXPECT_EQ(x.x(), x.y()); // a target is never read partly written
     EXPECT_EQ(x.x(), x.z());
   }
   mouse.join();
@@ -365,7 +365,7 @@ TEST(SimulatedPlant, IsReadFromText)
   for (const auto& [text, error] : wrong)
   {
     EXPECT_EQ(palpate::readPlant(text, held), error) << text;
-    EXPECT_EQ(held.plant.mass, 0.2); // unchanged
+    EXPECT_EQ(held.plant.mass, 0.2); // `held` is unchanged
   }
 }
 

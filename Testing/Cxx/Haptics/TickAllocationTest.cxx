@@ -374,7 +374,7 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
       forces[i] += ticks[i].deviceForce.norm() > 0.0;
       met(states, ticks[i].contact.state);
     }
-    // two scenes wait, and the last replaces the other
+    // Two scenes wait, and the last replaces the other.
     if (tick == 2000 || tick == 2020 || tick == 2040)
     {
       step.change(std::move(next[static_cast<std::size_t>(tick - 2000) / 20]));

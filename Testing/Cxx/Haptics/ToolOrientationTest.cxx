@@ -60,7 +60,7 @@ TEST(ToolOrientation, TheShaftIsTheToolsOwnZ)
 TEST(ToolOrientation, TurnsAreRotationVectors)
 {
   std::mt19937 random(4);
-  std::uniform_real_distribution<double> exponent(-9.0, 0.49); // up to 3.1, less than π
+  std::uniform_real_distribution<double> exponent(-9.0, 0.49); // angles up to 3.1 rad, less than π
   for (int i = 0; i < 500; ++i)
   {
     const double angle = std::pow(10.0, exponent(random));
@@ -98,7 +98,7 @@ TEST(ToolOrientation, ASteeredHandTurnsAsItMoves)
   EXPECT_FALSE(isTold(hand.read(0.0).orientation));
   hand.turnTo(Vector3d(0.0, 0.0, 2.0));
   EXPECT_LE(
-    // the first orientation is set immediately
+    // The first orientation is set immediately.
     (shaftOf(hand.read(0.001).orientation) - Vector3d::UnitZ()).norm(), Rounding);
   const Vector3d told = Vector3d(1.0, 2.0, 3.0).normalized();
   const double whole = angleBetween(Vector3d::UnitZ(), told);

@@ -36,7 +36,7 @@ inline DeviceSample sampleOf(const WorkspaceMapping& mapping, const Vector3& tip
 /// Two flat ends on the CoupledPlate.
 struct FlatEnds
 {
-  static constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, on 1 MPa
+  static constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, for a modulus of 1 MPa
   static constexpr double Apart = 5.0;                       ///< mm
   static constexpr double Mutual = 1.0 / (Pi * Apart);       ///< C_12 of Boussinesq, mm/N
 

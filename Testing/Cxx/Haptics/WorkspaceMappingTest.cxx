@@ -96,7 +96,8 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
     const Vector3d velocity = randomPoint(random, 1.0);
     const double step = 0.125; // s; the mapping is linear, so any step is valid
     const Vector3d rate = (each.toBody(from + step * velocity) - each.toBody(from)) / step;
-    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, over step
+    // Relative rounding 1e-16 of 300 mm, divided by step.
+    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10);
   }
 }
 
@@ -113,7 +114,8 @@ TEST(WorkspaceMapping, StiffnessIsFeltScaled)
     const double step = 0.01; // m
     const double felt =
       (springForce(Vector3d::Zero()) - springForce(step * along)).dot(along) / step;
-    EXPECT_NEAR(mapping.stiffnessToDevice(2.0), felt, 1e-9 * felt); // 1e-16 of 200 N over 10 mm
+    // Relative rounding 1e-16 of 200 N over 10 mm.
+    EXPECT_NEAR(mapping.stiffnessToDevice(2.0), felt, 1e-9 * felt);
     EXPECT_DOUBLE_EQ(mapping.stiffnessToDevice(2.0), 2000.0 * scale);
     EXPECT_DOUBLE_EQ(mapping.lengthToDevice(1000.0 * scale), 1.0);
     EXPECT_LE((mapping.forceToBody(along) - Vector3d::UnitY()).norm(), 1e-15);
@@ -127,7 +129,8 @@ TEST(WorkspaceMapping, PlanarDevicesMoveInAPlaneOfTheBody)
     WorkspaceMapping::inPlane(Vector3d(7, 1, 2), Vector3d::UnitY(), Vector3d::UnitZ(), 2.0);
   EXPECT_TRUE(mapping.isPlanar());
   EXPECT_FALSE(mapping.fault());
-  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42)); // for any z
+  // The z of the device has no effect.
+  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42));
   EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, std::nan(""))), Vector3d(7, 21, 42));
   EXPECT_EQ(mapping.toDevice(Vector3d(-50, 21, 42)), Vector3d(0.01, 0.02, 0));
   EXPECT_EQ(mapping.velocityToBody(Vector3d(0.5, 0.25, 9)), Vector3d(0, 1000, 500));
@@ -167,7 +170,7 @@ TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
           farthest = std::max(farthest, out[axis] / workspace[axis]);
         }
       }
-      EXPECT_NEAR(farthest, 1.0, 1e-12); // 1e-16 of 250 mm in 6 mm
+      EXPECT_NEAR(farthest, 1.0, 1e-12); // relative rounding 1e-16 of 250 mm in 6 mm
       EXPECT_LE((mapping.toBody(Vector3d::Zero()) - 0.5 * (lower + upper)).norm(), 1e-13);
     }
   }

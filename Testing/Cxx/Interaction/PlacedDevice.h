@@ -101,7 +101,7 @@ inline PlacedDevice* pressed(
   auto owned = std::make_unique<PlacedDevice>(specification);
   PlacedDevice* device = owned.get();
   session->GetDevice()->Use(std::move(owned));
-  // the position of the device is prescribed, so no loop is closed
+  // The position of the device is prescribed, so no loop is closed.
   session->GetSafety()->PassivityControlOff();
   PALPATE_CHECK(session->Start());
   session->Step(0.01);

@@ -143,7 +143,7 @@ void checkVerdicts(vtkBodyComparison* comparison)
   PALPATE_CHECK(comparison->GetVerdict(Right) == 0);
   comparison->GetVerdictRange(Right, range);
   PALPATE_CHECK_NEAR(range[0], 0.0, 1e-12);
-  PALPATE_CHECK_NEAR(range[1], Range, 1e-6); // float
+  PALPATE_CHECK_NEAR(range[1], Range, 1e-6); // rounding of floats
   PALPATE_CHECK_TEXT(comparison->GetStatement(Right), "The shape of the tool matters.",
     "At 1.00 mm", "size sensitivity 0.50 to 1.00");
 

@@ -133,7 +133,7 @@ void checkBounds()
   PALPATE_CHECK_NEAR(scene->GetBodyActor()->GetBounds()[4], 0.0, 1e-6);
 }
 
-/// Two scenes in one window use one program, and each has its own dent.
+/// Two scenes in one window use one shader program, and each has its own dent.
 void checkTwoScenes()
 {
   const Body body = box("sphere:6.35");

@@ -211,7 +211,7 @@ void checkModel(Window& w)
 {
   w.press("Layer");
   PALPATE_CHECK(w.setup->GetModel() == vtkContactSetup::Layer);
-  // a rigid base at a small depth increases the stiffness
+  // A rigid base at a small depth increases the stiffness.
   PALPATE_CHECK(w.force() > 1.01 * w.expected());
   w.press("Half-space");
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);

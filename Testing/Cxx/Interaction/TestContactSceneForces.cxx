@@ -188,7 +188,7 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   int gaps = 0;
   for (std::size_t k = 5; k < covered.size(); ++k)
   {
-    // the tip at the end of this piece of the trail
+    // The tip at the end of this piece of the trail.
     const auto next = static_cast<vtkIdType>((k + 3) / 4);
     if (deflection->GetTuple1(next) <= ValidDepth)
     {

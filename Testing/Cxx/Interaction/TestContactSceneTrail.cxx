@@ -82,8 +82,7 @@ struct Session
   std::string title() { return this->scene->GetTrailLegend()->GetTitle(); }
 };
 
-/// Returns the largest depth of the tube's outer side below the ball, mm. Checks the angles at
-/// which the trail passes.
+/// Returns the largest depth of the tube's outer side below the ball, mm.
 double deepest(vtkPolyData* trail)
 {
   double depth = -Radius;
@@ -148,7 +147,7 @@ void checkScale(vtkPolyData* body)
   held.scene->SetLargestForce(0.4 * newtons);
   held.play(0.2);
   PALPATE_CHECK(end() >= newtons && end() < 2.0 * newtons);
-  // the force varies at edges
+  // The force varies at edges.
   PALPATE_CHECK_NEAR(held.scene->GetLargestForce(), newtons, 0.05 * newtons);
   PALPATE_CHECK_TEXT(remark(), "scale changed");
   held.play(3.2);
@@ -156,7 +155,7 @@ void checkScale(vtkPolyData* body)
 
   held.scene->SetLargestForce(20.0 * newtons);
   held.play(2.8);
-  PALPATE_CHECK(end() >= 20.0 * newtons); // not yet
+  PALPATE_CHECK(end() >= 20.0 * newtons); // the scale must not have shrunk yet
   held.play(0.6);
   PALPATE_CHECK(end() >= newtons && end() < 2.0 * newtons);
   PALPATE_CHECK_TEXT(remark(), "scale changed");

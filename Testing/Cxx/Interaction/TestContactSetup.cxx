@@ -123,7 +123,7 @@ void checkCancel()
   PALPATE_CHECK(setup->GetPoissonRatio() == Poisson && setup->GetYoungsModulus() == Modulus);
   PALPATE_CHECK(setup->GetNumberOfRelaxations() == 0 && setup->GetTool(0)->GetRadius() == 5.0);
   setup->Request();
-  PALPATE_CHECK(!setup->IsBusy() && !setup->Collect()); // nothing is missing
+  PALPATE_CHECK(!setup->IsBusy() && !setup->Collect()); // the output is up to date
   setup->Cancel();                                      // no effect
   // Other changes are kept and used by the next request.
   setup->SetMaximumDeflection(1.5);
@@ -183,7 +183,7 @@ void checkModels()
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Layer));
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Series));
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Stored));
-  const double halfSpace = 2.0 * Reduced * 2.0; // flat, 1 mm
+  const double halfSpace = 2.0 * Reduced * 2.0; // flat tool, 1 mm deep
   // A layer is stiffer than a half-space. For a thick layer the relative difference is a/h times a
   // number of order 1.
   setup->SetLayerThickness(1e4);

@@ -168,7 +168,7 @@ vtkPolyData* ringOf(vtkHapticToolRepresentation* shown)
 void checkRing(vtkRenderer* renderer, vtkRenderWindow* window, vtkHapticToolRepresentation* shown)
 {
   const double force[3] = { 0.0, 0.0, 2.0 };
-  shown->SetContact(Tip, Up, Contact, force); // 20 mm
+  shown->SetContact(Tip, Up, Contact, force); // length 20 mm
   look(renderer, 0.3, 0.0, 120.0);
   window->Render();
   PALPATE_CHECK(!ringOf(shown));
@@ -189,7 +189,7 @@ void checkRing(vtkRenderer* renderer, vtkRenderWindow* window, vtkHapticToolRepr
     const double distance = 120.0 - side * 10.0;
     const double pixels =
       20.0 * 0.5 * renderer->GetSize()[1] / (std::tan(vtkMath::Pi() / 12.0) * distance);
-    // the head is not exactly in the middle of the view
+    // The head is not exactly in the middle of the view.
     PALPATE_CHECK_NEAR(bounds[1] - bounds[0], pixels, 0.01 * pixels);
     PALPATE_CHECK(ring->GetNumberOfPolys() == (side > 0.0 ? 1 : 0)); // the dot
     PALPATE_CHECK(ring->GetNumberOfLines() == (side > 0.0 ? 1 : 3)); // the cross

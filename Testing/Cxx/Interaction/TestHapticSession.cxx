@@ -100,7 +100,7 @@ void checkStop(vtkPolyData* body, vtkPolyData* path)
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept after Stop
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // ticks are kept after Stop
   PALPATE_CHECK(session->Start());                                  // starts again at time 0
   PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetTime() == 0.0);
   session->GetForce(force);

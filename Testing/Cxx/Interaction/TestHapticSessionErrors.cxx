@@ -58,7 +58,7 @@ void checkPaths(vtkHapticSession* session, Messages& messages, vtkPolyData* good
   checkRefused(session, messages, { "Point 3 of the path", "back in time" });
   time->SetTuple1(3, std::nan(""));
   checkRefused(session, messages, { "Point 3 of the path", "not finite" });
-  // two points at the same time are a jump, which is allowed
+  // Two points at the same time are a jump, which is allowed.
   time->SetTuple1(3, time->GetTuple1(2));
   PALPATE_CHECK(session->Start());
   path->DeepCopy(good);

@@ -173,7 +173,7 @@ void checkChange(vtkPolyData* body)
   PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * (coupled(0.5, 0.8) + 0.5 * Spring), 1e-5);
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.5 * (coupled(0.8, 0.5) + 0.8 * Spring), 1e-5);
   session->Step(0.03);
-  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // floats
+  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // rounding of floats
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.8 * Spring, 1e-5);
 }
 

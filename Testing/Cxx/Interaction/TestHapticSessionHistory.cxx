@@ -210,7 +210,7 @@ void checkNoHistogram(vtkPolyData* body)
   PALPATE_CHECK(session->Start());
   session->Step(0.1);
   session->GetRecorder()->GetTimingHistogram(histogram);
-  PALPATE_CHECK(histogram->GetNumberOfRows() == 0); // virtual time
+  PALPATE_CHECK(histogram->GetNumberOfRows() == 0); // there are no times in virtual time
 }
 } // namespace
 

@@ -143,7 +143,7 @@ void checkSafety(vtkPolyData* body)
   PALPATE_CHECK(loose.sway > 0.05);
   const Rest capped = pressStiff(body, true, false);
   PALPATE_CHECK(capped.sway < 1e-3);
-  PALPATE_CHECK_NEAR(capped.force, 1.0 * capped.depth, 1e-6); // N/mm: b/T
+  PALPATE_CHECK_NEAR(capped.force, 1.0 * capped.depth, 1e-6); // the allowed stiffness b/T is 1 N/mm
   const Rest passive = pressStiff(body, false, true);
   PALPATE_CHECK(passive.sway < 0.1 * loose.sway);
   const Rest both = pressStiff(body, true, true);

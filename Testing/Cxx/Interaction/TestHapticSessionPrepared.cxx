@@ -51,8 +51,9 @@ void checkGivenKernels(vtkPolyData* body)
   PALPATE_CHECK(own > 1.0);
 
   session->SetBody(body, kernels);
-  PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own); // floats, doubled
-  // the kernels are used for one Start only
+  // Twice the force, with the rounding of floats.
+  PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own);
+  // The kernels are used for one Start only.
   PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);
 
   session->SetBody(body, kernels);

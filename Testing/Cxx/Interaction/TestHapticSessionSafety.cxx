@@ -158,7 +158,8 @@ void checkTorqueLimits()
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorsionalStiffness == 0.1);
   safety->SetTorqueLimit(0.3);
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.2);
-  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0); // no torque output
+  // The device has no torque output.
+  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0);
 }
 
 void checkGate(vtkPolyData* body)

@@ -21,7 +21,7 @@ void checkTool(const ToolParts& parts, const double tip[3], const double normal[
   const Extent tool = extentAlong(parts.tool, tip, normal);
   PALPATE_CHECK_NEAR(tool.low, 0.0, Rounding);
   PALPATE_CHECK_NEAR(tool.high, length, Rounding);
-  // the radius of the shaft, because the tool is upright
+  // The radius of the shaft, because the tool is upright.
   PALPATE_CHECK_NEAR(tool.aside, 4.0, Rounding);
 }
 
@@ -46,7 +46,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   const ToolParts parts(representation);
   const double none[3] = { 0.0, 0.0, 0.0 };
   const double notANumber[3] = { std::nan(""), 0.0, 0.0 };
-  const double slanted[3] = { 0.3, 1.2, 0.4 }; // 1.3 N
+  const double slanted[3] = { 0.3, 1.2, 0.4 }; // magnitude 1.3 N
   PALPATE_CHECK_NEAR(representation->GetForceScale(), 10.0, 0.0);
   PALPATE_CHECK_NEAR(representation->GetToolLength(), 22.0, 0.0);
   PALPATE_CHECK(!parts.arrow->GetVisibility() && !parts.label->GetVisibility());

@@ -192,7 +192,7 @@ void checkGaps(vtkPolyData* body)
 
   for (int i = 0; i < 300; ++i)
   {
-    time->SetValue(i, 1.0 * i); // 1 s apart
+    time->SetValue(i, 1.0 * i); // values are 1 s apart
   }
   touched->GetPointData()->AddArray(time);
   touched->Modified();

@@ -59,7 +59,7 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
     {
       ++row;
     }
-    // the point is not the start of the dotted part
+    // The point is not the start of the dotted part.
     if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9)
     {
       const double stored = expected->GetValue(row, column).ToDouble();
@@ -176,7 +176,7 @@ void checkSmooth()
   vtkNew<vtkToolContactProbe> probe;
   probe->SetInputData(0, body);
   probe->SetContactSurfaceToSmooth();
-  constexpr int row = 15; // 0.5 mm
+  constexpr int row = 15; // the row at 0.5 mm
   for (const auto& [x, y] : { Row{ 3.0, 8.0 }, Row{ -15.0, 6.0 }, Row{ 12.0, -21.0 } })
   {
     double tip[3] = { x, y, std::sqrt(39.5 * 39.5 - x * x - y * y) };

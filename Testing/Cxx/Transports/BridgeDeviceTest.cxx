@@ -183,7 +183,7 @@ TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
   EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0.25, 0, 0 } }));
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d(0.25, 0, 0));
-  // the torque is reduced to the limit
+  // The torque is reduced to the limit.
   EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0, -3.0, 0 } }));
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d(0, -0.5, 0));
@@ -205,7 +205,7 @@ TEST_P(Bridge, ExchangesPositionsAndForces)
   EXPECT_FALSE(device->write({ 1, 0, 0 })) << "before the first state";
   for (int i = 1; i <= 1000; ++i)
   {
-    const DeviceSample sample = tick({ 0.0, 0.0, 0x1p-16 * i }); // exact in a float
+    const DeviceSample sample = tick({ 0.0, 0.0, 0x1p-16 * i }); // the position is exact in a float
     ASSERT_TRUE(sample.valid && sample.fresh) << i;
     ASSERT_EQ(sample.position.z(), 0x1p-16 * i);
     ASSERT_TRUE(device->write({ 0.0, 0x1p-9 * i, 0.0 }));
@@ -323,7 +323,7 @@ TEST_P(Bridge, NoForceInTheFirstTickAfterTheTimeOut)
     ASSERT_LT(++ticks, 100) << device->specification().sampleTimeOut;
   }
   EXPECT_EQ(servo(DeviceSample()), Vector3d::Zero());
-  // the first tick after 20.5 ms; time is a sum of milliseconds
+  // The first tick after 20.5 ms; time is a sum of milliseconds.
   EXPECT_NEAR(time - last, 0.021, 1e-6);
   program->serve();
   EXPECT_FALSE(program->force.enable);

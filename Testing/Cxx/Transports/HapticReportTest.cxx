@@ -229,7 +229,7 @@ TEST(DescribedSpecification, WhatIsAbsurdIsReplacedByWhatIsCareful)
     EXPECT_EQ(limits.workspace, careful.workspace);
     EXPECT_EQ(limits.rate, careful.rate);
     EXPECT_EQ(limits.sampleTimeOut, careful.sampleTimeOut);
-    EXPECT_EQ(std::count(replaced.begin(), replaced.end(), ';'), 8); // nine values
+    EXPECT_EQ(std::count(replaced.begin(), replaced.end(), ';'), 8); // nine values are replaced
     EXPECT_NE(replaced.find("maximum force "), std::string::npos) << replaced;
   }
 }

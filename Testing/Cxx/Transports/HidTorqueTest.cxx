@@ -77,7 +77,7 @@ struct Bench
 
 TEST(HidTorque, OrientationComesInAndTorqueGoesOut)
 {
-  Bench bench(knownTorqueDescription()); // 0.25 N m
+  Bench bench(knownTorqueDescription()); // the limit is 0.25 N m
   EXPECT_FALSE(isTold(bench.tell(0.25, orientationNotTold()).orientation));
   const ToolOrientation turned = turnedBy(Vector3d(0.3, 0.0, -0.1));
   const ToolOrientation told = bench.tell(0.5, turned).orientation;

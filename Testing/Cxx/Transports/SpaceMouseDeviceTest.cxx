@@ -110,7 +110,7 @@ TEST(SpaceMouse, RateModeStopsWhenReportsStop)
 {
   Bench bench(SpaceMouseMode::Rate);
   bench.run(Period);
-  ASSERT_TRUE(bench.push(0, 0, -350)); // up
+  ASSERT_TRUE(bench.push(0, 0, -350)); // a push upward
   bench.run(0.5);
   const DeviceSample sample = bench.run(0.5);
   EXPECT_NEAR(sample.position.y(), 0.05 * 0.25, 0.05 * 3 * Period) << "longestSilence";

@@ -172,7 +172,8 @@ TEST(TorqueReport, TheDeviceKeepsItsOwnLimitAndLetsGo)
   EXPECT_EQ(torque[2], 2e-3F);
   hid.maximum_torque = 0.05F;
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
-  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F); // rounding of a single
+  // Single-precision rounding
+  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F);
   EXPECT_LT(torque[1], 0.0F);
   EXPECT_FALSE(palpate_hid_torque(&hid, 1000 + 20001, torque)); // the watchdog has ended the torque
   EXPECT_EQ(torque[1], 0.0F);

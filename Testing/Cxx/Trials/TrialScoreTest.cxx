@@ -56,7 +56,7 @@ TEST(TrialScore, CountsByPairs)
   EXPECT_EQ(score.pairs[0].firstChosen.trials, 3);
   EXPECT_TRUE(score.pairs[0].hasRightAnswer);
   EXPECT_EQ(score.pairs[0].correct.successes, 2);
-  // a difference of 1 relative to the mean of 1.5
+  // A difference of 1 relative to the mean of 1.5.
   EXPECT_NEAR(score.pairs[0].difference, 2.0 / 3.0, 1e-15);
   EXPECT_EQ(score.pairs[1].firstChosen.successes, 2); // b was chosen, first as Y, then as X
   EXPECT_FALSE(score.pairs[1].hasRightAnswer);        // both alternatives are equal

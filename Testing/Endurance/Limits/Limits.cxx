@@ -194,7 +194,8 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
   }
   findings.tell("tips", tips);
   findings.expect("tips_that_felt_nothing", tips - touched, 0.0);
-  findings.expect("deflection_off_mm", depthError, 1e-10); // rounding at 100 mm
+  // Rounding error for coordinates of 100 mm.
+  findings.expect("deflection_off_mm", depthError, 1e-10);
   findings.expect("force_off_relative", forceError, 1e-6); // forces are stored as floats
 }
 } // namespace
@@ -219,7 +220,8 @@ int main(int argc, char* argv[])
   findings.tell("points", points);
   findings.tell("triangles", static_cast<double>(body->GetNumberOfPolys()));
   findings.expect("share_of_points_missing", 1.0 - points / wanted, 0.01);
-  findings.expect("stored_force_off_relative", responseError(body), 6e-8); // half an ulp
+  // Half a unit in the last place.
+  findings.expect("stored_force_off_relative", responseError(body), 6e-8);
   body = throughFile(body, output + ".palpate", findings);
   compareTicks(body, tips, findings);
   findings.expect("peak_MiB", peakMemory() / 1048576.0,

@@ -80,7 +80,7 @@ private:
   std::uint64_t CheckedBefore = 0; ///< number of ticks checked when the last drain began
   SwapWatch Swaps;
   std::uint64_t SettledAt = 0; ///< the first tick with only one body in contact
-  /// all bodies that may still exist
+  /// All bodies that may still exist.
   std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies;
   SoakResult Result;
 };

@@ -37,7 +37,7 @@ enum class TickFault : std::uint8_t
   Scene,     ///< a scene that was not offered, a skipped scene, or a wrong share
   /// Force does not match body and position: outdated, of a wrong body, or outside the cone.
   Contact,
-  /// a force without a sample, after a failure, or before the tip has been outside again
+  /// A force without a sample, after a failure, or before the tip has been outside again.
   AfterLoss,
   Sent,  ///< the sent force is not the limited contact force
   Energy ///< a visit to a relaxing body returned more energy than the tip had put in
