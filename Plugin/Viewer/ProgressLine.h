@@ -32,7 +32,7 @@ private:
   bool IsShown = false;
 };
 
-/// As updateQuietly, with the progress of the algorithm.
+/// Updates the algorithm as updateQuietly does, and shows its progress.
 std::string updateWithProgress(vtkAlgorithm* algorithm, const std::string& step);
 } // namespace palpate
 

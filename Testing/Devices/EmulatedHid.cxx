@@ -240,7 +240,7 @@ bool EmulatedHid::receive(std::vector<std::uint8_t>& report, std::size_t size)
     return false;
   }
   const auto begin = this->Pending.begin();
-  // Without the number of the report.
+  // The report is returned without its number.
   report.assign(begin + 1, begin + 1 + static_cast<std::ptrdiff_t>(size));
   this->Pending.erase(begin, begin + 1 + static_cast<std::ptrdiff_t>(size));
   return true;

@@ -76,7 +76,7 @@ def check_table(body, from_file, file):
                                       vtk_to_numpy(other.GetPointData().GetArray(name)), name)
     assert servermanager.Fetch(from_table, idx=2).GetNumberOfRows() == 71
 
-    # The same with every column as text, and from the output of a filter on the table.
+    # The same test with every column as text, and with the output of a filter on the table.
     table.DetectNumericColumns = 0
     text = servermanager.Fetch(from_table, idx=0)
     np.testing.assert_array_equal(vtk_to_numpy(text.GetPointData().GetArray("ResponseForce")),

@@ -363,7 +363,7 @@ def check_compliance():
     assert type(compliance.GetClientSideObject()) is palpate.vtkElasticCompliance
     height = vtk_to_numpy(servermanager.Fetch(compliance).GetPoints().GetData())[:, 2]
     assert np.median(values) > 0, values
-    # The same in centimetres.
+    # The same solid in centimetres.
     small = simple.Transform(Input=solid, Transform="Transform")
     small.Transform.Scale = [0.1, 0.1, 0.1]
     again = simple.ElasticCompliance(Input=small, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, LengthUnit="cm")

@@ -112,9 +112,7 @@ if "mpiexec" in SERVER[0]:
     raw_xml.need_raw_xml()
 try:
     run()
-# Noqa: the exception is printed; a normal exit would communicate with a server that no longer
-# exists
-except BaseException:
+except BaseException: # noqa: the exception is printed; a normal exit would contact a server that no longer exists
     traceback.print_exc()
     sys.stderr.flush()
     os._exit(1)

@@ -32,7 +32,7 @@ for reader in READERS:
     assert name in ("Ball", "Cone") and sorted(choice) == ["Ball", "Cone"], (reader, name, choice)
     name, choice = name_and_choice(reader, odd)
     assert name == "Response" and sorted(choice) == ["Ball", "Cone", "Response"], (reader, name, choice)
-    # Without a choice the name stays as it is.
+    # Without a choice the name does not change.
     assert name_and_choice(reader, ball) == ("Response", ["Response"]), reader
 
 # A name from a script is kept even if the body does not have this response yet. The name is among
@@ -43,7 +43,7 @@ regime.UpdateVTKObjects()
 regime.Input = both
 assert regime.ResponseName == "Later"
 assert sorted(regime.GetProperty("ResponseName").Available) == ["Ball", "Cone", "Later"]
-# A state restores it.
+# A saved state restores the name.
 state = sys.argv[1] + "/response_names.pvsm"
 simple.RenameSource("regime", regime)
 regime.ResponseName = "Ball"

@@ -47,7 +47,7 @@ def check_units():
     assert not np.allclose(force, usual["ResponseForce"], rtol=0.02)
     difference = np.abs(in_cm["ResponseForce"] / force - 1)
     assert (difference <= stated)[stated < 1].all() and np.median(difference) < 1e-3, np.median(difference)
-    # The same property at other entry points of bodies.
+    # Other filters for bodies have the same property.
     for name in ("BodySurface", "VoxelBody"):
         make = getattr(simple, name)
         made = make(Input=scaled(ball, 0.1), LengthUnit="cm", **({"Spacingmm": 10} if name == "VoxelBody" else {}))

@@ -65,7 +65,7 @@ class Solid(SolidCase):
         self.assertNotIn("filled with", self.result.stderr)
         for name, values in first.items():
             numpy.testing.assert_array_equal(values, again[name])
-        # With other held points, or with a truncated cache file, it is solved again.
+        # With other held points, or with a truncated cache file, the solid is solved again.
         self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
         self.assertEqual(len(cached()), 2)

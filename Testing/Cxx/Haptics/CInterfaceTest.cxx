@@ -290,8 +290,8 @@ TEST(CInterface, TellsItsVersion)
 }
 
 // The sizes in PALPATE_API_VERSION 1, counted by hand, for pointers and doubles of eight bytes.
-// They must not change, so that a compiled program continues to work. New members take their space
-// from `reserved`.
+// The sizes must not change, so that a compiled program continues to work. New members take their
+// space from `reserved`.
 TEST(CInterface, StructsKeepTheirSizes)
 {
   static_assert(sizeof(double) == 8 && sizeof(int) == 4);

@@ -150,8 +150,8 @@ TEST(FaultyDevice, RandomFaultsAreThoseOfTheirSeed)
   EXPECT_EQ(told(faults, 1000), first);
   faults.seed = 43;
   EXPECT_NE(told(faults, 1000), first);
-  // With seed 0, the first number of splitmix64 is published: 0xE220A8397B1DCDAF, which is 0.8833
-  // of 2^64. The first number is for NotANumber.
+  // The first number of splitmix64 with seed 0 has been published: 0xE220A8397B1DCDAF, which is
+  // 0.8833 of 2^64. The first number is used for NotANumber.
   for (const double probability : { 0.8832, 0.8834 })
   {
     DeviceFaults sure;

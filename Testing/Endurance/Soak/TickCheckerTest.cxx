@@ -186,8 +186,8 @@ TEST(TickChecker, FindsASmallJump)
 TEST(TickChecker, FindsAForceAfterALoss)
 {
   const TickSeries series(7);
-  // Without a sample, in the first tick and in the last tick; and afterwards until the tip has been
-  // outside.
+  // A force without a sample, in the first tick and in the last tick; and a force afterwards,
+  // before the tip has been outside.
   for (const std::size_t tick : { TickSeries::Absent, TickSeries::Absent + TickSeries::Gap - 1,
          TickSeries::Absent + TickSeries::Gap + 5 })
   {
