@@ -20,10 +20,10 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
-constexpr double CacheDepth = 2.0; // mm; any value is possible
+constexpr double CacheDepth = 2.0; // mm; the value has no effect
 const char* const Thickness = "LayerThickness";
 
-/// Cache file for this scan, or "" if no cache folder is possible.
+/// Returns the path of the cache file for this scan, or "" if no cache folder is possible.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
 {
   std::error_code failed;
@@ -66,8 +66,9 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
   return body;
 }
 
-/// Stores a body in the flat file format, which requires a response. The response itself is not
-/// used. Its validity, a length per point, holds the thickness of the layer.
+/// Stores a body in the flat file format. The format requires a response, so the body gets one,
+/// which is never used. The validity of this response, a length per point, holds the thickness of
+/// the layer.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);

@@ -8,20 +8,20 @@
 
 namespace palpate
 {
-/// Path of the file for `key` in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate), named
-/// `kind`-HASH`ending`; "" if no cache folder is possible. The program's version is part of the
-/// hashed key.
+/// Returns the path of the cache file for `key`: `kind`-HASH`ending` in $XDG_CACHE_HOME/palpate (or
+/// ~/.cache/palpate). Returns "" if no cache folder is possible. The hash includes the program's
+/// version.
 std::string cachePlace(const std::string& kind, const std::string& key, const std::string& ending);
 
 /// Makes the folder of a cache file. Returns "" or an error.
 std::string makeCacheFolder(const std::string& file);
 
 /**
- * Reads a body file as readBodyFile does, but with a cache, for scans, whose skin takes seconds to
+ * Reads a body file as readBodyFile does, and caches the skin of a scan, which takes seconds to
  * compute. The cache is a flat body file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate). Its name
- * depends on the path, size and modification time of the scan and on the options. The body has the
- * same bits with and without the cache, including LayerThickness. A cache that cannot be read or
- * written is not an error; a note reports it.
+ * depends on the path, size and modification time of the scan and on the options. The body,
+ * including LayerThickness, is identical bit by bit with and without the cache. A cache that cannot
+ * be read or written is not an error; a note reports it.
  */
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options);
 } // namespace palpate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Reads the body of the command line, of any kind, as a surface for contact.
+ * Reads the body of the command line from a file of any supported kind, as a surface for contact.
  *
  * .palpate is a body with its response in mm, as written by --export. .vtp .stl .ply .obj .vtk are
  * surfaces, and .vtu .vtk volume meshes; vtkBodySurface converts them. .vti .vtk .nii .nii.gz are

@@ -18,16 +18,18 @@ namespace palpate
 {
 namespace
 {
-constexpr int Around = 12;           // directions at each angle from the wished one
-constexpr double AngleStep = 7.5;    // degrees
-constexpr double LeastAngle = 25.0;  // degrees between view and normal: less is nearly end-on
+constexpr int Around = 12;        // number of directions at each angle from the preferred direction
+constexpr double AngleStep = 7.5; // degrees
+// Degrees between view and normal. At a smaller angle the tool is seen nearly end-on.
+constexpr double LeastAngle = 25.0;
 constexpr double MostAngle = 75.0;   // degrees between view and normal
 constexpr double LeastFromUp = 20.0; // degrees between view and the upward axis
-constexpr double Raised = 0.005;     // height above the site, fraction of the body's diagonal
+// Height of Site::above over the surface, as a fraction of the body's diagonal.
+constexpr double Raised = 0.005;
 
 struct Site
 {
-  Eigen::Vector3d above; ///< a little above the surface
+  Eigen::Vector3d above; ///< a point slightly above the surface
   Eigen::Vector3d normal;
 };
 
@@ -96,7 +98,7 @@ private:
   std::vector<Site> Sites;
 };
 
-/// Directions in the order of their angle from the wished one.
+/// Returns directions sorted by their angle from `wished`.
 std::vector<Eigen::Vector3d> directionsFrom(const Eigen::Vector3d& wished)
 {
   const Eigen::Vector3d side = wished.unitOrthogonal();

@@ -7,10 +7,10 @@
 namespace palpate
 {
 /**
- * The direction from which a camera sees where the scene is touched: the direction nearest to
- * `viewFrom` of the scene from which no part of the body hides the sites and no tool is seen nearly
- * end-on or from below. If there is none, only the first site is considered, then only its line of
- * sight. Returns `viewFrom` if no direction is clear.
+ * Returns the direction from which a camera sees the sites. Of all directions from which no part of
+ * the body hides a site and no tool is seen nearly end-on or from below, it is the one nearest to
+ * `viewFrom` of the scene. If there is none, only the first site is considered, then only its line
+ * of sight. Returns `viewFrom` if no direction is clear.
  */
 Direction clearView(const ViewerScene& scene);
 } // namespace palpate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene of Mahvash and Hayward 2002, section 5: a large triangulated cylinder under flat,
-// sphere and cone. It has the analytical half-space responses at its vertices; its normals are
+// sphere and cone. Its vertices have the analytical responses of a half-space. Its normals are
 // radial.
 #include "ViewerScene.h"
 

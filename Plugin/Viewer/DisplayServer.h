@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Returns the reason why drawing is impossible, or "". Without an X server that answers, VTK would
+/// Returns the reason why drawing is impossible, or "". Without a responding X server, VTK would
 /// abort the process at the first picture.
 std::string displayProblem();
 

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only noted, so that a window closes
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only recorded, so that a window closes
 /// normally: the hand is released, and the record written. A second signal of the same kind ends
 /// the process immediately. Only one object may exist at a time.
 class EndSignals

@@ -64,7 +64,7 @@ std::string causeOfError(const ViewerScene& scene, const ResponseSet& responses,
   {
     return storedLimit(responses.body, responses.names.front(), point);
   }
-  constexpr double justBelow = 1.0 - 1e-4; // the error is a float
+  constexpr double justBelow = 1.0 - 1e-4; // allows for the rounding of the error, which is a float
   fault = attachAtPoints(scene, responses, { point }, CauseName, depth, justBelow * error, judged);
   if (!fault.empty())
   {

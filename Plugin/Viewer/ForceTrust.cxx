@@ -19,14 +19,15 @@ namespace palpate
 {
 namespace
 {
-constexpr double Unbounded = 1.0; // a relative error of 100 % says nothing
+// Largest relative error; a larger error (above 100 %) gives no information.
+constexpr double Unbounded = 1.0;
 
 struct Trust
 {
   std::vector<double> errors;  ///< of the ticks in contact, relative, ascending; empty: not stored
-  double valid = 0.0;          ///< share of the ticks within the validity at all three corners
+  double valid = 0.0;          ///< fraction of the ticks within the validity at all three corners
   const Tick* worst = nullptr; ///< the tick with the largest error
-  std::string limit;           ///< of the validity, in the first tick beyond it
+  std::string limit; ///< reason for the end of the validity, in the tick of the largest error
   bool touches = false;
 };
 
@@ -59,7 +60,7 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
     {
       const double found = stored.at(firstPoly + tick.contact.triangle,
         tick.contact.contactPoint.data(), tick.contact.deflection);
-      error = found < Unbounded ? found : Unbounded; // also beyond the range, where it is NaN
+      error = found < Unbounded ? found : Unbounded; // also beyond the range, where `found` is NaN
       trust.errors.push_back(error);
     }
     if (error > largest)
@@ -82,7 +83,7 @@ std::string percent(double share)
   return text.data();
 }
 
-/// Share of the errors that are not below a bound.
+/// Fraction of the errors that are at least `bound`. `errors` is ascending.
 double shareFrom(const std::vector<double>& errors, double bound)
 {
   const auto first = std::lower_bound(errors.begin(), errors.end(), bound);

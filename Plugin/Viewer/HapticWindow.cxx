@@ -25,8 +25,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LongestFrame = 60.0; // s, longest time that the record can wait
-constexpr double PanelWidth = 256.0;  // pixels
+// Maximum time between two frames, s. The record can store the ticks of this time.
+constexpr double LongestFrame = 60.0;
+constexpr double PanelWidth = 256.0; // pixels
 constexpr double LargestPanelShare = 0.4;
 constexpr double ChartShare = 0.28; // fraction of the height
 
@@ -88,7 +89,8 @@ HapticWindow::HapticWindow(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
-  , LargestForce(2.0 * usualForce(responses, scene.depth)) // the wheel may press deeper
+  // The factor is for the wheel, which may press deeper.
+  , LargestForce(2.0 * usualForce(responses, scene.depth))
 {
   // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
   this->Window->SetMultiSamples(0);

@@ -31,7 +31,7 @@ namespace palpate
 {
 /// A live session in a window: the window, the session on its servo thread, and the mouse that
 /// steers it; optionally a panel and charts. If the mouse steers, a line explains that the wheel
-/// presses, until the wheel has been used. The owner decides on the purpose of the window.
+/// presses, until the wheel has been used. The caller adds the actions for tools, keys and frames.
 class HapticWindow
 {
 public:

@@ -29,7 +29,7 @@ const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
   "a layer's force depends more on nu than a half-space's";
 
-/// Text of a number with this many decimals.
+/// Text of a number with `decimals` decimals.
 std::string rounded(double value, int decimals)
 {
   std::ostringstream stream;
@@ -37,7 +37,8 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
-/// Array of the total thickness of all layers from a scan; null if it is not scanned.
+/// Returns the array with the total thickness of all layers from a scan, or null if the thickness
+/// is not scanned.
 vtkDataArray* scannedThickness(const ViewerScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;

@@ -10,23 +10,23 @@
 
 namespace palpate
 {
-/// The grey level below which a scan is bone. It is set if --layer or, without --layer, the scene
-/// requests the thickness of the soft tissue.
+/// Returns the grey level below which a scan is bone, if the thickness of the soft tissue is
+/// requested by --layer or, without --layer, by the scene. Otherwise returns nothing.
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene);
 
-/// Chooses the layers under the surface of a scene that has its body: those of --layer, otherwise
-/// those of the scene. There are no layers if another option defines the body below the surface.
-/// Adds the choice to the reason of the model. Returns "", or an error if the thickness from a scan
-/// is requested but the body is not from a scan.
+/// Chooses the layers under the surface of a scene that has its body: the layers of --layer,
+/// otherwise the layers of the scene. There are no layers if another option defines the body below
+/// the surface. Adds the choice to the reason of the model. Returns "", or an error if the
+/// thickness from a scan is requested but the body is not from a scan.
 std::string chooseLayer(const ViewerOptions& options, ViewerScene& scene);
 
-/// Source of the numbers of a stack, for the summary.
+/// Returns the source of the numbers of a stack, for the summary.
 std::string layerSource(const LayerChoice& layer);
 
 /// The material of the body, for the summary.
 std::string describeMaterial(const ViewerScene& scene);
 
-/// Description of the law for the summary, with the places of layer and half-space.
+/// Describes the law for the summary, including where it uses the layer and where the half-space.
 std::string describeLaw(const ViewerScene& scene);
 
 /// Description of the layer at a point: ": 6.4 mm of soft tissue over bone" or similar; "" if the

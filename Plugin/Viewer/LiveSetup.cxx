@@ -41,7 +41,7 @@ void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
   setup->SetBaseSlips(stack.halfSpace.slips);
 }
 
-/// Makes the responses, with their progress. Returns false after an error.
+/// Computes the responses and shows the progress. Returns false after an error.
 bool computeResponses(vtkContactSetup* setup)
 {
   ProgressLine line("the responses are computed");
@@ -50,7 +50,8 @@ bool computeResponses(vtkContactSetup* setup)
   show->SetCallback([](vtkObject*, unsigned long, void* client, void* done)
     { static_cast<ProgressLine*>(client)->show(*static_cast<const double*>(done)); });
   const unsigned long tag = setup->AddObserver(vtkCommand::ProgressEvent, show);
-  const bool isMade = setup->Update(); // in the background it would yield to other programs
+  // In the background, the computation would yield to other programs.
+  const bool isMade = setup->Update();
   setup->RemoveObserver(tag);
   return isMade;
 }

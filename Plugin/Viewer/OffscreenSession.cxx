@@ -54,7 +54,7 @@ double peakMemory()
   return 0.0;
 }
 
-/// The tick for the pictures, at the fraction `share` of the slide.
+/// Returns the tick for the pictures, at the fraction `share` of the slide.
 vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
 {
   // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
@@ -65,7 +65,7 @@ vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType t
   return std::clamp<vtkIdType>(tick, 0, ticks - 1);
 }
 
-/// The tick with the largest force; null without contact.
+/// Returns the tick with the largest force, or null without contact.
 const Tick* peakOf(const std::vector<Tick>& ticks)
 {
   const auto peak = std::max_element(ticks.begin(), ticks.end(),
@@ -79,7 +79,7 @@ std::string momentInWords(const Tick& tick)
   const Eigen::Vector3d& place = tick.contact.contactPoint;
   std::array<char, 120> text{};
   const auto tenths = [](double length)
-  { return std::round(10.0 * length) / 10.0 + 0.0; }; // no "-0"
+  { return std::round(10.0 * length) / 10.0 + 0.0; }; // the sum with 0.0 avoids "-0"
   std::snprintf(text.data(), text.size(), "%.3f s, %.1f, %.1f, %.1f mm", tick.time,
     tenths(place.x()), tenths(place.y()), tenths(place.z()));
   return text.data();

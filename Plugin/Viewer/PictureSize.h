@@ -10,8 +10,8 @@ namespace palpate
 constexpr int PictureWidth = 1280;
 constexpr int PictureHeight = 960;
 
-/// Gives a window the size of a picture, or of the part of the screen that is free for windows if
-/// that is smaller.
+/// Gives a window the size of a picture. If the screen's free area is smaller, the window gets the
+/// size of that area.
 void fitToScreen(vtkRenderWindow* window);
 } // namespace palpate
 

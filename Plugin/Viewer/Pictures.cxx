@@ -125,7 +125,7 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
 
 void fitToScreen(vtkRenderWindow* window)
 {
-  constexpr int taken = 60; // pixels, height of a window's title and the desktop's bar
+  constexpr int taken = 60; // pixels, height of the window's title and the desktop's bar
   const int* screen = window->GetScreenSize();
   const auto fitted = [](int wished, int available)
   { return available > 0 ? std::min(wished, available) : wished; };
@@ -192,7 +192,9 @@ std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
     auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     shown->SetResponseName(responses.names[i]);
-    shown->SetRemark(i == 0 ? moment.remark : std::string()); // its peak is that of the first tool
+    shown->SetRemark(i == 0
+        ? moment.remark
+        : std::string()); // the remark names the largest force of the first tool
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
     scenes.push_back(shown);

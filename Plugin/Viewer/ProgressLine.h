@@ -9,18 +9,18 @@ class vtkAlgorithm;
 
 namespace palpate
 {
-/// The progress of a long step on the error stream: on a terminal one line, which is overwritten
-/// and in the end erased; elsewhere a line every ten seconds.
+/// Shows the progress of a long step on the error stream. On a terminal the progress is one line,
+/// which is overwritten and erased at the end; elsewhere it is a new line every ten seconds.
 class ProgressLine
 {
 public:
-  /// `step`: what is done, for example "the body is filled".
+  /// `step`: description of the step, for example "the body is filled".
   explicit ProgressLine(const std::string& step);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows the completed fraction. Returns true: the work goes on.
+  /// Shows the completed fraction. Always returns true, so that the work continues.
   bool show(double done);
 
 private:
@@ -32,7 +32,7 @@ private:
   bool IsShown = false;
 };
 
-/// As updateQuietly, with the progress of the algorithm.
+/// Updates the algorithm as updateQuietly does, and shows its progress.
 std::string updateWithProgress(vtkAlgorithm* algorithm, const std::string& step);
 } // namespace palpate
 

@@ -104,7 +104,8 @@ std::string addTool(const std::string& tool, ResponseSet& responses)
   return {};
 }
 
-/// Attaches the response of a tool, with an array `pressed` only at the points where it is not 0.
+/// Attaches the response of a tool. With an array `pressed`, only at the points where its value is
+/// not 0.
 std::string attachToolResponse(std::size_t tool, const ViewerScene& scene, const ContactLaw& law,
   double maximumDeflection, const MaterialArray& pressed, ResponseSet& responses)
 {
@@ -215,7 +216,7 @@ std::string prepareFirstResponse(
 
 namespace
 {
-/// 1 at the given points, 0 at all others.
+/// Returns an array with 1 at the given points and 0 at all others.
 vtkSmartPointer<vtkUnsignedCharArray> maskOf(
   vtkPolyData* body, const std::vector<vtkIdType>& points)
 {

@@ -24,7 +24,7 @@ struct ResponseSet
   double bytesPerTool = 0.0; ///< size of the first tool's response arrays
 };
 
-/// The input of a response in addition to the tool.
+/// The material data of a response.
 struct ContactLaw
 {
   double youngsModulus = 0.0; ///< MPa
@@ -49,17 +49,17 @@ MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPoly
 /// Prefix of the arrays of a tool's response: Response, Response2 ...
 std::string responseName(std::size_t tool);
 
-/// Adds the response of one more tool, or of another law. Returns an error, or "".
+/// Adds the response of one more tool, or the response for another law. Returns an error, or "".
 std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
   const ContactLaw& law, double maximumDeflection, ResponseSet& responses);
 
-/// Attaches the responses of all tools for the options, and writes the files of --save and
+/// Attaches the responses of all tools as the options require, and writes the files of --save and
 /// --export. Returns "" or an error.
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
-/// As prepareResponses, for the first tool only, unless --save needs all tools. All tools are
-/// checked.
+/// Does the same as prepareResponses, but only for the first tool, unless --save needs all tools.
+/// All tools are checked.
 std::string prepareFirstResponse(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// Makes the path of the simulated hand over the scene, with its times: see vtkPressPath. Returns
+/// Makes the path of the simulated hand over the scene, with its times; see vtkPressPath. Returns
 /// "" or an error.
 std::string makePath(const ViewerScene& scene, vtkPolyData* path);
 
@@ -18,7 +18,7 @@ std::string makePath(const ViewerScene& scene, vtkPolyData* path);
 struct TouchSite
 {
   std::array<double, 3> point{};  ///< mm
-  std::array<double, 3> normal{}; ///< unit, outward
+  std::array<double, 3> normal{}; ///< unit vector, outward
 
   /// The point at this height above the site, mm.
   std::array<double, 3> above(double height) const;
@@ -37,8 +37,8 @@ struct PictureAxes
   double up[3];
 };
 
-/// Starting site of one of several hands, numbered from 0: the first site, or `hand` steps to the
-/// right of it.
+/// Returns the starting site of a hand, numbered from 0. Hand 0 starts at the first site, each
+/// further hand one step to the right of the previous hand.
 TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand);
 } // namespace palpate
 

@@ -27,8 +27,8 @@ std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
 
 namespace
 {
-/// A mouse renders no force: in a window the force of a simulated hand is neither scaled nor
-/// limited.
+/// Removes the force limit of a simulated hand in a window. A mouse renders no force, so its force
+/// is neither scaled nor limited.
 void setLimits(vtkHapticSession* session, int hand)
 {
   if (session->GetRealTime())

@@ -19,18 +19,18 @@ void chooseContact(
 /// Opens the device of the options for the session. Returns an error, or "".
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session);
 
-/// Opens the device as openDevice, and sets one force factor for all responses, so that the ratios
-/// of their forces are kept. The factor is 1 for a hand that a mouse steers in real time. Returns
-/// "" or an error.
+/// Opens the device as openDevice does, and sets one force factor for all responses, which
+/// preserves the ratios of their forces. The factor is 1 for a hand that a mouse steers in real
+/// time. Returns "" or an error.
 std::string chooseDevice(
   const ViewerOptions& options, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Adds the further devices of the options. Returns an error, or "".
 std::string addHands(const ViewerOptions& options, vtkHapticSession* session);
 
-/// Places physical devices in the view. The origin of the first is above the first site, those of
-/// the others are next to it; x is to the right and y up in the picture. The first button is the
-/// clutch.
+/// Sets the positions of physical devices in the view. The origin of the first device is above the
+/// first site; the origins of the others are next to it. x is to the right and y up in the picture.
+/// The first button is the clutch.
 void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session);
 
 /// Starts the session. Returns "" or the error that it reported.

@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Reads a body with responses, which take minutes to compute, from the cache file `file`. Returns
-/// null if there is no such file, it cannot be read, or it lacks one of the named point arrays.
+/// Reads a body from the cache file `file`, with responses that take minutes to compute. Returns
+/// null if the file does not exist, cannot be read, or lacks one of the named point arrays.
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays);
 

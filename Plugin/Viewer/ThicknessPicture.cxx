@@ -113,7 +113,8 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
   camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera(body->GetBounds());
-  camera->Zoom(HeadZoom); // ResetCamera fits the sphere around the body, which is larger
+  // ResetCamera fits the sphere around the body, which is larger than the body.
+  camera->Zoom(HeadZoom);
   renderer->ResetCameraClippingRange();
 }
 } // namespace
@@ -132,7 +133,7 @@ std::string drawThickness(const std::string& file, const ViewerScene& scene)
   mapper->SelectColorArray("Shown");
   mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
-  // Colours are interpolated, not values, since there is no value between "no bone" and a
+  // Colours are interpolated instead of values, because no value exists between "no bone" and a
   // thickness.
   mapper->InterpolateScalarsBeforeMappingOff();
   vtkNew<vtkActor> body;

@@ -49,8 +49,8 @@ struct TrialsModule : ModuleTable
   decltype(&runTrialConsole) askInConsole;
 };
 
-/// Returns a module; or null, and a sentence that names the option, the module and the way to
-/// install it. The module is loaded at the first call.
+/// Returns a module. On failure, returns null and sets `fault` to a sentence that names the option,
+/// the module and how to install it. The first call loads the module.
 const SolidsModule* solidsModule(const std::string& option, std::string& fault);
 const IdentificationModule* identificationModule(const std::string& option, std::string& fault);
 const ComparisonModule* comparisonModule(const std::string& option, std::string& fault);

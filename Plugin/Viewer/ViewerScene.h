@@ -22,19 +22,19 @@ struct ViewerScene
   std::string title;
   vtkSmartPointer<vtkPolyData> body;
   std::vector<std::string> notes; ///< description of how the body was made, one sentence each
-  double youngsModulus = 0.1;     ///< MPa; as in vtkToolContactResponse
+  double youngsModulus = 0.1;     ///< MPa; same default as in vtkToolContactResponse
   double poissonRatio = 0.45;
   LawTerms terms;         ///< terms of the law: strain, curvature, error
   PronySeries relaxation; ///< relaxation of the body
-  bool stored = false;    ///< whether the body has the response "Response" already, which is used
-                          ///< unchanged
+  /// Whether the body already has the response "Response", which is used unchanged.
+  bool stored = false;
   /// Whether the body has nodules. It then also stores the responses without the nodules, and the
   /// changes of the force by the nodules.
   bool nodules = false;
   std::string materialSource;
-  LayerChoice layer;   ///< if it is scanned, the body has the array LayerThickness or, for a stack,
-                       ///< LayerThickness0 and LayerThickness1
-  std::string tissues; ///< the tissues of a segmentation as text; "": another body
+  LayerChoice layer; ///< if the thickness is scanned, the body has the array LayerThickness or, for
+                     ///< a stack, LayerThickness0 and LayerThickness1
+  std::string tissues;     ///< description of a segmentation's tissues; "" for other bodies
   std::string modelReason; ///< reason for this law, and its range of validity
   std::vector<std::string> tools;
   double depth = 1.0;

@@ -38,7 +38,8 @@ double widestContact(const ViewerOptions& options, const ViewerScene& scene)
   return widest;
 }
 
-/// Sets `found` and `isAttached`. Returns "", or a message about the fault.
+/// Computes the compliance of the body as a whole, and attaches it if it is accurate. Returns "",
+/// or a message about the fault.
 std::string solve(
   const ViewerOptions& options, ViewerScene& scene, BodyYield& found, bool& isAttached)
 {
@@ -46,7 +47,7 @@ std::string solve(
   const double radius = widestContact(options, scene);
   if (!sound.fault().empty() || !(radius > 0.0) || !makeBodyMesh(sound.body()).isClosed())
   {
-    return {}; // the response names the fault
+    return {}; // the response reports the fault
   }
   ProgressLine line("the body as a whole is solved");
   const YieldRequest asked{ scene.youngsModulus, scene.poissonRatio, radius,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpate: press a tool against a body, see and feel the force. See --help.
+// palpate: presses a tool against a body and renders the force. See --help.
 #include "DisplayServer.h"
 #include "Haptics/Safety/ForceRelease.h"
 #include "LiveWindow.h"
@@ -27,8 +27,7 @@ int fail(const std::string& error)
   return Failure;
 }
 
-/// The modules that the options need for display and questions. A module that is not needed is
-/// null.
+/// The modules that the options need for display and trials. A module that is not needed is null.
 struct NeededModules
 {
   const palpate::ComparisonModule* comparison = nullptr; ///< --compare, --map
@@ -113,7 +112,7 @@ int main(int argc, char** argv)
   }
   palpate::releaseForceOnTerminate();
   palpate::endWithDisplay();
-  // The signals are ignored, since a write call also reports a broken pipe, and a signal must not
+  // These signals are ignored, because a write call reports the same fault, and a signal must not
   // end the process while there is a force on the hand.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

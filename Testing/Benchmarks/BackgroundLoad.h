@@ -23,16 +23,17 @@ public:
 /// Sleeps.
 std::unique_ptr<BackgroundLoad> makeIdleLoad();
 
-/// One thread per processor reads through memory three times as large as the last cache.
+/// Reads memory in one thread per processor. The memory is three times as large as the last cache.
 std::unique_ptr<BackgroundLoad> makeMemoryLoad();
 
-/// VTK draws a body of 200 thousand triangles off screen, one frame after the other, in the calling
-/// thread and in those of the OpenGL library. One drawing does not keep all processors busy. So one
-/// process per further processor draws as well, from the first run until the load is destroyed.
-/// Null if there is no display (DISPLAY).
+/// Draws a body of 200 thousand triangles off screen with VTK, frame after frame, in the calling
+/// thread and in the threads of the OpenGL library. One such drawing does not use all processors.
+/// Therefore one process per further processor draws as well, from the first run until the load is
+/// destroyed. Returns null if there is no display (DISPLAY).
 std::unique_ptr<BackgroundLoad> makeRenderLoad();
 
-/// The work of such a process: this program, called with DrawOption. It ends with its parent.
+/// The work of such a further process: this program, called with DrawOption. The process ends with
+/// its parent.
 extern const char* const DrawOption;
 [[noreturn]] void drawForEver();
 } // namespace palpate::benchmarks

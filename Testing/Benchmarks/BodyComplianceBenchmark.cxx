@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compliance of a whole body from its closed surface: a bumpy ball of 10⁵ triangles, and one of
-// 4·10⁵. `ratio`: to the response of the same surface on a half-space in the same run. `again_s`:
-// for another modulus, read from the cache.
+// The compliance of a whole body from its closed surface: a bumpy ball of 10⁵ triangles, and a
+// bumpy ball of 4·10⁵. `ratio`: time relative to the response of the same surface on a half-space
+// in the same run. `again_s`: time for another modulus, with the result read from the cache, s.
 #include "vtkBodyCompliance.h"
 #include "vtkContactTool.h"
 #include "vtkToolContactResponse.h"
@@ -27,7 +27,7 @@ namespace
 {
 constexpr double Radius = 60.0; // mm
 
-/// A ball whose radius varies by a tenth. `rings` × 2 `rings` × 2 triangles.
+/// Makes a ball whose radius varies by a tenth, of `rings` × 2 `rings` × 2 triangles.
 void makeBumpyBall(int rings, vtkPolyData* body)
 {
   vtkNew<vtkSphereSource> source;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The delay of a bridge, from a written force to the first state that acknowledges it, at 1 kHz:
-// BridgeDevice with a program that answers at once, over a Unix and a UDP socket. The same run
-// measures 64 bytes sent and returned over the same kind of bare socket. See README.md.
+// The delay of a bridge, from a written force to the first state that acknowledges it, at 1 kHz.
+// BridgeDevice communicates over a Unix and a UDP socket with a program that answers immediately.
+// For comparison, the same run measures 64 bytes sent and returned over a plain socket of the same
+// kind. See README.md.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/RealTimeGrant.h"
 
@@ -41,7 +42,7 @@ union Name
   sockaddr_in udp;
 };
 
-/// A bound datagram socket with its program: a thread answers each datagram at once.
+/// A bound datagram socket with its program: a thread answers each datagram immediately.
 class Answering
 {
 public:
@@ -157,7 +158,8 @@ struct Times
   int unanswered = 0;
 };
 
-/// Calls `send` at 1 kHz and then `arrived` until it is true, for at most a period.
+/// Calls `send` at 1 kHz. After each call, calls `arrived` until it returns true, for at most one
+/// period.
 template <class Send, class Arrived>
 Times measure(int ticks, const Send& send, const Arrived& arrived)
 {

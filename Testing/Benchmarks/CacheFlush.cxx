@@ -12,8 +12,8 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Size of the last-level cache of the first processor, as reported by the kernel (sysconf counts
-/// the caches of a whole package). 0 if it is not reported.
+/// Returns the size of the last-level cache of the first processor, as reported by the kernel; 0 if
+/// it is not reported. (sysconf counts the caches of a whole package.)
 std::size_t lastLevelBytes()
 {
   std::ifstream file("/sys/devices/system/cpu/cpu0/cache/index3/size");
@@ -38,7 +38,8 @@ CacheFlush::CacheFlush()
   madvise(memory, this->Bytes, MADV_NOHUGEPAGE);
 #endif
   this->Buffer = static_cast<unsigned char*>(memory);
-  std::memset(this->Buffer, 1, this->Bytes); // pages of its own, not the shared page of zeros
+  // Writes, so that each page has its own memory instead of the shared page of zeros
+  std::memset(this->Buffer, 1, this->Bytes);
 }
 
 CacheFlush::~CacheFlush()

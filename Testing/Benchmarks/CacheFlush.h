@@ -8,10 +8,10 @@
 namespace palpate::benchmarks
 {
 /**
- * Evicts all other data from the caches: it reads through three times the size of the last level,
- * in pages of 4 KiB, so that address translations are evicted as well. A renderer has this effect
- * between two ticks at 1 kHz. (After a read of twice the last level, much of the former contents
- * was still in the cache on the machine on which the targets were set.)
+ * Evicts all other data from the caches. It reads three times the size of the last level, in pages
+ * of 4 KiB, so that address translations are evicted as well. A renderer has this effect between
+ * two ticks at 1 kHz. (After a read of twice the last level, much of the former contents was still
+ * in the cache on the machine on which the targets were set.)
  */
 class CacheFlush
 {

@@ -12,10 +12,10 @@
 namespace palpate::benchmarks
 {
 /**
- * Times single calls of about ten nanoseconds. It counts the processor's time stamp, with fences so
- * that no work of the call runs outside the measurement; on other processors it uses the steady
- * clock. A reading touches no memory, so its cost is the same with cold caches. The cost of an
- * empty call is measured once and subtracted.
+ * Times single calls of about ten nanoseconds. It reads the processor's time-stamp counter, with
+ * fences so that all work of the call is measured. On processors other than x86-64 it uses the
+ * steady clock. A reading does not access memory, so its cost is the same with cold caches. The
+ * cost of an empty call is measured once and subtracted.
  */
 class CallClock
 {
@@ -55,7 +55,7 @@ public:
       ? static_cast<double>(counts - this->Overhead) * this->NanosecondsPerCount
       : 0.0;
   }
-  /// Cost of a reading or the step of the clock, ns.
+  /// Cost of a reading or the resolution of the clock, ns.
   double step() const noexcept
   {
     return static_cast<double>(this->Step) * this->NanosecondsPerCount;

@@ -37,8 +37,8 @@ public:
       this->Given.emplace_back(point(corners[0]), point(corners[1]), point(corners[2]));
     }
     this->Boxes.insert(this->Given.cbegin(), this->Given.cend());
-    this->Boxes.do_not_accelerate_distance_queries(); // the second tree would only serve queries
-                                                      // without a hint
+    // The second tree would only be used by queries without a hint.
+    this->Boxes.do_not_accelerate_distance_queries();
     this->Boxes.build();
     this->reset();
   }

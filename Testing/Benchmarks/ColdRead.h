@@ -7,9 +7,9 @@
 
 namespace palpate::benchmarks
 {
-/// Median cost of one read of a cache line that is in no cache, ns: the reference of this machine,
-/// at this time, for a cold tick. Measured in 64 MiB, in pages of 2 MiB, if the system provides
-/// them, and in pages of 4 KiB.
+/// Median time of one read of a cache line that is in no cache, ns. It is the reference for a cold
+/// tick on this machine at this time. Measured in 64 MiB of memory, in pages of 2 MiB if the system
+/// provides them, and in pages of 4 KiB.
 struct ColdRead
 {
   double largePages;

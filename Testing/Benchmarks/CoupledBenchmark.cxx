@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cost of a tick for N coupled tools compared with N uncoupled ones. They move over a plate of
-// 60 mm (20 thousand triangles) at a depth of 1 mm, on a half-space and on a layer.
+// The cost of a tick for N coupled tools compared with N uncoupled tools. The tools move over a
+// plate of 60 mm (20 thousand triangles) at a depth of 1 mm, on a half-space and on a layer.
 #include "CoupledPlate.h"
 
 #include "Contact/Coupled/CoupledContacts.h"

@@ -7,8 +7,8 @@
 
 namespace palpate::benchmarks
 {
-/// The bumpy sphere of the other benchmarks (Testing/Cxx/Contact/BumpySphere.h) as VTK draws it,
-/// with point normals and about `triangles` triangles.
+/// Returns the bumpy sphere of the other benchmarks (Testing/Cxx/Contact/BumpySphere.h) in the form
+/// that VTK draws, with point normals and about `triangles` triangles.
 vtkSmartPointer<vtkPolyData> drawnBody(double triangles);
 } // namespace palpate::benchmarks
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cost of sharp edges in a tick. A tip moves over a block of 40 mm (200 thousand triangles)
-// with and without the edge law: in the middle, out of reach of the edges; near an edge; and near a
-// blunt edge (of a hexagonal prism).
+// with and without the edge law: in the middle, where the edges have no effect; near an edge; and
+// near a blunt edge (of a hexagonal prism).
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"
@@ -43,7 +43,7 @@ std::unique_ptr<ContactBody> makeBody(Place place, bool hasEdges)
   if (hasEdges)
   {
     arrays.edges = sphereOverEdges();
-    arrays.edges.extent = 9.0; // as on a layer of 7 mm; the middle is 20 mm from the edges
+    arrays.edges.extent = 9.0; // mm, as on a layer of 7 mm; the middle is 20 mm from the edges
   }
   return std::make_unique<ContactBody>(surface.points.front().data(), surface.points.size(),
     surface.triangles.front().data(), surface.triangles.size(), arrays);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Structural compliance of a body of 95 thousand unknowns, a block of 31 × 31 × 31 hexahedra: the
-// factorisation, and all points of the surface with both patches (`ratio` to the factorisation of
-// the same run; `cut_s` patches and cut-outs, `self_s` self-terms, `body_s` half-solves).
-// Irregular: the same block with moved nodes, so that no two cut-outs are equal.
+// Structural compliance of a body of 95 thousand unknowns, a block of 31 × 31 × 31 hexahedra.
+// Measured are the factorisation, and the compliance at all points of the surface with both
+// patches. `ratio`: time relative to the factorisation of the same run. `cut_s`: patches and
+// cut-outs; `self_s`: self-terms; `body_s`: half-solves. Irregular: the same block with moved
+// nodes, so that no two cut-outs are equal.
 //
 // Ways to compute bᵀK⁻¹b, measured on such a block on two cores (9736 loads; factorisation 3.7 to
 // 3.9 s):
 //   forward along the elimination tree, blocks of 64 loads shared among threads, BLAS single 5.5 s
-//   blocks of 128 / 256, likewise                                                     7.2 / 6.0 s
+//   the same with blocks of 128 / 256                                                 7.2 / 6.0 s
 //   blocks of 128, one after the other, OpenBLAS on two threads                            12.0 s
 //   full solutions, one by one: 94 ms each                                           15 minutes
 #include "Solids/FiniteElements/PatchCompliance.h"

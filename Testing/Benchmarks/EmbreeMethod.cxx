@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree's point query over its tree of boxes. The query finds the triangles within a radius and
-// leaves their distance to the caller. The radius is the distance to the point found last, which is
-// on the body.
+// Embree's point query over its tree of boxes. The query finds the triangles within a radius; the
+// caller computes their distance. The radius is the distance from the tip to the previous result,
+// which is a point on the body.
 #include "TimedMethod.h"
 
 #ifdef PALPATE_WITH_EMBREE
@@ -18,7 +18,8 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Embree's query uses floats. For a tip 100 mm out and about 1 mm deep the error is 1e-5.
+/// Relative increase of the radius, because Embree's query uses floats. For a tip 100 mm from the
+/// origin and about 1 mm deep the error is 1e-5.
 constexpr double RoundUp = 2e-5;
 
 class EmbreePoint
@@ -91,7 +92,7 @@ private:
     double squaredDistance;
   };
 
-  /// Checks a triangle within the radius; true if it reduced the radius.
+  /// Checks a triangle within the radius. Returns true if the radius was reduced.
   static bool consider(RTCPointQueryFunctionArguments* arguments)
   {
     Search& search = *static_cast<Search*>(arguments->userPtr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cost of the dent in a frame: a scene with a moving contact whose body is drawn without a
+// The cost of the dent in a frame. The scene has a moving contact. Its body is drawn without a
 // dent, with a dent in the vertex shader, and with a dent computed point by point. See README.md.
 #include "BumpySphere.h"
 #include "DrawnBody.h"
@@ -82,8 +82,8 @@ vtkSmartPointer<vtkPolyData> contactsWith(vtkPolyData* body)
   return probe->GetOutput();
 }
 
-/// One row per path. The paths take turns frame by frame, so that other work of the machine affects
-/// all of them. A path that has become too slow (Budget) draws fewer frames.
+/// Returns one row per path. The paths alternate frame by frame, so that other work of the machine
+/// affects all of them. A path that has become too slow (Budget) draws fewer frames.
 std::vector<Row> runBody(double triangles, int frames)
 {
   const auto body = withResponse(drawnBody(triangles));
@@ -100,7 +100,7 @@ std::vector<Row> runBody(double triangles, int frames)
   {
     for (std::size_t turn = 0; turn < scenes.size(); ++turn)
     {
-      // Each path is the first of a turn equally often.
+      // Each path is equally often the first in a turn.
       const std::size_t i = (turn + static_cast<std::size_t>(frame + WarmUp)) % scenes.size();
       if (frame > 0 && spent[i] > spent[0] + Budget)
       {

@@ -21,7 +21,8 @@ constexpr int Height = 768;
 constexpr double View[3] = { 0.3, -1.0, 0.5 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// The body as a VTK user would draw it: with its normals and a scalar through the same legend.
+/// Makes an actor as in a plain VTK program: with the body's normals, and coloured by a scalar
+/// through the same legend.
 vtkNew<vtkActor> plainActor(vtkPolyData* body, vtkScalarsToColors* colors)
 {
   vtkNew<vtkPolyData> drawn;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many tools on one body: 49 responses on 140,000 points, on a half-space (0) and on a layer (1).
-// Counters: `first_s` is the time of a response on a body that was never seen, `each_s` that of one
-// of the 49, `ratio` the first to the mean of all. A body of another size in each run is new to all
-// caches.
+// Counters: `first_s` is the time of the first response on a new body, s; `each_s` is the mean time
+// of the 49 responses, s; `ratio` is the first divided by the mean. Each run uses a body of another
+// size, so that no cache contains it.
 #include "vtkContactTool.h"
 #include "vtkToolContactResponse.h"
 
@@ -19,7 +19,7 @@
 namespace
 {
 constexpr int Rings = 375;      // 140,000 points
-constexpr int Sizes = 16;       // of each of three shapes, and one more tool
+constexpr int Sizes = 16;       // number of sizes of each of three shapes; one more tool is added
 constexpr double Least = 0.8;   // mm
 constexpr double Step = 0.45;   // mm
 constexpr double Depth = 1.0;   // mm

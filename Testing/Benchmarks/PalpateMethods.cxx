@@ -17,10 +17,10 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Less than the 10 N of a tip 1 mm deep, so that the limit acts in every tick.
+/// N; less than the 10 N of a tip 1 mm deep, so that the limit acts in every tick.
 constexpr double MaximumForce = 8.0;
 
-/// Default friction, elasto-plastic: the contact slides after the first tenths of a millimetre.
+/// Default friction, elasto-plastic. The contact slides after the first tenths of a millimetre.
 ContactSettings withFriction()
 {
   ContactSettings settings;
@@ -28,7 +28,7 @@ ContactSettings withFriction()
   return settings;
 }
 
-/// Depth of a tick; NaN if its contact is not as expected.
+/// Returns the depth of a tick, mm; NaN if its contact is not as expected.
 double depthFelt(const Contact& contact, const Vector3& sent)
 {
   const bool slides = contact.state == ContactState::Slide && contact.friction.norm() > 0.0;
@@ -37,7 +37,8 @@ double depthFelt(const Contact& contact, const Vector3& sent)
   return inContact && limited ? contact.deflection : std::nan("");
 }
 
-/// From the tip to the limited force. The contact continues, or each call starts a new one (Onset).
+/// A tick from the tip to the limited force. The contact continues from call to call; with Onset,
+/// each call starts a new contact.
 template <bool Onset>
 class PalpateTick
 {
@@ -78,8 +79,8 @@ private:
   ForceLimit Limit{ MaximumForce };
 };
 
-/// From the device sample to the force for the device, with the whole safety chain. The device
-/// allows the same force.
+/// A tick from the device sample to the force for the device, with the whole safety chain. The
+/// device allows the same maximum force.
 class PalpateServo
 {
 public:
@@ -105,7 +106,7 @@ public:
   double distance(const Vector3* /*tips*/, const Tick& tick) const
   {
     this->Servo.foresee();
-    // The passivity control of the chain may withhold some of the force.
+    // The passivity control of the chain may reduce the force.
     const double force = tick.deviceForce.norm();
     const bool isSent = force > 0.0 && force < (1.0 + 1e-9) * MaximumForce;
     return isSent ? tick.contact.deflection : std::nan("");
@@ -115,11 +116,11 @@ public:
 private:
   static std::unique_ptr<ServoScene> sceneOn(const ContactBody& body)
   {
-    const std::shared_ptr<void> nobody; // no owner: the body outlives its methods
+    const std::shared_ptr<void> nobody; // no owner, because the body outlives its methods
     return std::make_unique<ServoScene>(
       std::shared_ptr<const ContactBody>(nobody, &body), withFriction());
   }
-  /// All links act except gate and slew limit, which would withhold the first force of a path.
+  /// All links act except gate and slew limit, which would suppress the first force of a path.
   static SafetySettings safety()
   {
     SafetySettings settings;
@@ -133,7 +134,7 @@ private:
   double Time = 0.0;
 };
 
-/// One contact history per tip, all on one body.
+/// One contact per tip, all on one body.
 class PalpatePatch
 {
 public:
@@ -142,7 +143,7 @@ public:
   {
   }
   using Input = std::array<Vector3, PatchTips>;
-  /// The force is the result of a tick. The data of each tip are kept for the check.
+  /// `force` is the result of a tick. The data of each tip are stored for the check.
   struct Answer
   {
     Vector3 force = Vector3::Zero();
@@ -185,7 +186,8 @@ private:
   std::vector<PalpateTick<false>> Contacts;
 };
 
-/// Only the search of the contact point: followed, or new in each call (Onset).
+/// Only the search of the contact point. The search follows the previous contact; with Onset, each
+/// call starts a new search.
 template <bool Onset>
 class PalpatePoint
 {
@@ -236,7 +238,8 @@ std::unique_ptr<ContactBody> makePalpateBody(
 std::unique_ptr<ContactBody> makeCompactBody(
   const testing::Surface& surface, const testing::ResponseStore& responses, int laws)
 {
-  // The law of all points, split into equal laws. Several laws get different weights per point.
+  // The law of all points is split into several equal laws. If there are several, their weights
+  // differ from point to point.
   ResponseArrays arrays = responses.arrays();
   const auto columns = static_cast<std::size_t>(arrays.samples);
   const auto count = static_cast<std::size_t>(laws);

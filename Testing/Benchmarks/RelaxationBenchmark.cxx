@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cost of relaxation in a tick. A tip moves over a plate of 500 thousand triangles and is
-// pressed up and down; elastic and relaxing bodies, by branches k and elements N.
+// pressed up and down, on elastic and on relaxing bodies. Parameters: k branches and N elements.
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
 #include "Contact/ToolContact.h"
@@ -30,7 +30,8 @@ std::unique_ptr<ContactBody> makeBody(int branches)
     surface.triangles.front().data(), surface.triangles.size(), arrays);
 }
 
-/// Depths from 1 to 1.9 mm of a range of 2 mm; 0.1 mm per tick along the surface, at 1 kHz.
+/// The depth varies from 1 to 1.9 mm in a range of 2 mm. The tip moves by 0.1 mm per tick along the
+/// surface, at 1 kHz.
 void tick(benchmark::State& state)
 {
   const auto body = makeBody(static_cast<int>(state.range(0)));

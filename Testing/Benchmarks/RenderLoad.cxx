@@ -120,7 +120,7 @@ void drawForEver()
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   Drawing drawing;
-  while (getppid() != 1) // the parent may have ended before the request to end with it
+  while (getppid() != 1) // the parent may have ended before the call of prctl
   {
     drawing.draw();
   }

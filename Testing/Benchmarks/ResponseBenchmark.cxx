@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkToolContactResponse on two million points, into new memory each time, compared with the time
-// to clear the same amount of new memory in the same run. The ratio cannot reach 1: the filter also
-// reads points, normals and triangles, `read_MB`.
+// to clear the same amount of new memory in the same run. The ratio cannot reach 1, because the
+// filter also reads points, normals and triangles: `read_MB`.
 #include "ProcessMemory.h"
 
 #include "vtkCellArray.h"
@@ -101,8 +101,8 @@ double secondsOf(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Sizes of the output arrays of the filter: n forces, n stiffnesses, normal, range, validity,
-/// status, limit.
+/// Sizes of the output arrays of the filter, bytes: forces, stiffnesses (Samples values each),
+/// normal, range, validity, status, limit.
 std::vector<std::size_t> outputSizes()
 {
   const auto points = static_cast<std::size_t>(PointCount);
@@ -116,8 +116,8 @@ void forgetFreedMemory()
   malloc_trim(0);
 }
 
-/// Time to clear the same memory on one thread. The arrays are allocated one by one, as in the
-/// filter.
+/// Measures the time to clear the same memory on one thread. The arrays are allocated one by one,
+/// as in the filter.
 double clearSeconds()
 {
   forgetFreedMemory();
@@ -138,13 +138,13 @@ double clearSeconds()
   return seconds;
 }
 
-/// The array to process that the filter gets: its index and its name; an empty name for none.
+/// The input array that the filter processes: its index and its name; an empty name means none.
 struct Given
 {
   int index = 0;
   const char* array = "";
   const char* tool = "sphere:5";
-  bool stack = false; ///< a second layer below, of ten times the modulus, as thick as `h2`
+  bool stack = false; ///< adds a second layer below, with ten times the modulus and thickness `h2`
 };
 
 void response(benchmark::State& state, const Given& given)
@@ -154,7 +154,7 @@ void response(benchmark::State& state, const Given& given)
   tool->SetSpecification(given.tool);
   double filterSeconds = 0.0;
   double clearing = 0.0;
-  double peak = 0.0; // bytes in addition to those in use before
+  double peak = 0.0; // bytes, in addition to the memory in use before
   for (auto _ : state)
   {
     vtkNew<vtkToolContactResponse> filter;
@@ -216,8 +216,8 @@ void ResponseOfThicknessArray(benchmark::State& state, const char* tool)
 {
   response(state, { 1, "h", tool });
 }
-/// Two layers whose thicknesses differ at each point, 2 to 12 and 2 to 18 mm. Compare with the
-/// layer of the same tool.
+/// Two layers whose thicknesses differ at each point, 2 to 12 and 2 to 18 mm. To be compared with
+/// one layer under the same tool.
 void ResponseOfStack(benchmark::State& state, const char* tool)
 {
   response(state, { 1, "h", tool, true });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cost of a response with its error, the body's curvature and finite strain, compared with the
-// plain response in the same run: a ball of 498,002 points, sphere of 6.35 mm, 1 mm.
+// plain response in the same run. A ball of 498,002 points; a sphere of 6.35 mm radius, 1 mm deep.
 #include "vtkContactTool.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,7 +12,7 @@
 
 namespace
 {
-/// A sphere of 80 mm with its own normals. Built once.
+/// A sphere of 80 mm radius with its own normals. Built once.
 vtkPolyData* ball()
 {
   static const vtkNew<vtkSphereSource> source;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wake-up delay of the servo thread and the duration of its ticks, at several rates, on an idle
-// machine and during rendering. Normal scheduling and SCHED_FIFO take turns. A hand slides about 1
-// mm deep along a bumpy sphere. See README.md.
+// machine and during rendering. Normal scheduling and SCHED_FIFO alternate. A simulated hand slides
+// about 1 mm deep along a bumpy sphere. See README.md.
 #include "BackgroundLoad.h"
 #include "BumpySphere.h"
 #include "Contact/ContactBody.h"
@@ -43,7 +43,7 @@ struct Options
   bool quick = false;
 };
 
-/// A hand that winds around the body and back, again and again.
+/// A hand that repeatedly winds around the body and back.
 class WindingDevice final : public HapticDevice
 {
 public:
@@ -60,7 +60,7 @@ public:
     const std::size_t turn = tick % (2 * TipCount);
     const Vector3& tip = this->Tips[turn < TipCount ? turn : 2 * TipCount - 1 - turn];
     DeviceSample sample;
-    // At 2 % more distance the tip is outside the body: its bumps are 1 % of the radius.
+    // At 2 % more distance the tip is outside the body, because the bumps are 1 % of the radius.
     sample.position = (this->Reads < OutsideTicks ? 1.02e-3 : 1e-3) * tip;
     sample.valid = true;
     return sample;
@@ -79,7 +79,7 @@ private:
   DeviceSpecification Limits;
   double Rate;
   std::vector<Vector3> Tips;
-  int Reads = 0; ///< since the loop was started
+  int Reads = 0; ///< number of reads since the loop was started
 };
 
 std::shared_ptr<const ContactBody> makeBody()
@@ -90,7 +90,7 @@ std::shared_ptr<const ContactBody> makeBody()
   return testing::contactBody(surface, responses);
 }
 
-/// A loop and its device. Runners take turns.
+/// A loop and its device. Runners run alternately.
 struct Runner
 {
   Runner(const std::shared_ptr<const ContactBody>& body, double rate, int priority,
@@ -116,7 +116,7 @@ struct Runner
     settings.realTime = { priority, true };
     return settings;
   }
-  /// False if the system refused the requested scheduling.
+  /// Runs the loop under the load. Returns false if the system refused the requested scheduling.
   bool runBeside(BackgroundLoad& load, double seconds)
   {
     const std::string fault = this->loop.start();
@@ -137,7 +137,8 @@ struct Runner
   ServoLoop loop;
 };
 
-/// Sum over all processors since the start of the machine, in the time unit of the kernel.
+/// Processor time, summed over all processors since the start of the machine, in the kernel's unit
+/// of time.
 struct ProcessorTime
 {
   double all = 0.0;
@@ -148,7 +149,7 @@ ProcessorTime processorTime()
 {
   constexpr int Idle = 3;
   constexpr int IdleForInput = 4;
-  constexpr int Stolen = 7; // the fields after it are included in the first two
+  constexpr int Stolen = 7; // the later fields are included in the first two
   ProcessorTime time;
   std::ifstream file("/proc/stat");
   std::string name;
@@ -162,8 +163,8 @@ ProcessorTime processorTime()
   return time;
 }
 
-/// Measures the rows of one rate under one load and appends them to `rows`. False if a loop had no
-/// contact.
+/// Measures the rows of one rate under one load and appends them to `rows`. Returns false if a loop
+/// had no contact.
 bool runRate(const std::shared_ptr<const ContactBody>& body, double rate, BackgroundLoad& load,
   double seconds, std::vector<ServoRow>& rows)
 {
@@ -277,7 +278,7 @@ int main(int argc, char* argv[])
   app.add_option("--output", options.output, "folder for servo.csv")->check(CLI::ExistingDirectory);
   app.add_flag("--quick", options.quick, "0.3 s per row: all rows, but poor percentiles");
   bool draw = false;
-  app.add_flag(DrawOption, draw)->group(""); // for the program itself
+  app.add_flag(DrawOption, draw)->group(""); // used when this program starts itself
   CLI11_PARSE(app, argc, argv);
   if (draw)
   {

@@ -18,8 +18,8 @@ struct ServoRow
   ServoStatistics statistics;
 };
 
-/// Writes rate_hz,load,policy,wakeup_median_us,p99,p999,max,tick_median_us,tick_p99,missed,ticks;
-/// all times in µs. False if the file cannot be written.
+/// Writes rate_hz,load,policy,wakeup_median_us,p99,p999,max,tick_median_us,tick_p99,missed,ticks.
+/// All times are in µs. Returns false if the file cannot be written.
 bool writeServoCsv(const std::string& path, const std::vector<ServoRow>& rows);
 
 void printServoHeader();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user of the live window waits for: three tools on a layer of 150,000 points. Computed: the
-// responses at first. ModulusChange: from the change of Young's modulus to the kernels for the
-// session (`ratio` to the computation of the same run).
+// The times for which a user of the live window waits: three tools on a layer of 150,000 points.
+// Computed: computation of the first responses. ModulusChange: from the change of Young's modulus
+// to the kernels for the session; `ratio` is relative to Computed in the same run.
 #include "vtkContactSetup.h"
 #include "vtkContactTool.h"
 

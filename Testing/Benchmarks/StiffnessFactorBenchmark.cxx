@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gain of a walk over CHOLMOD's supernodes along the paths of the loads, compared with
-// CHOLMOD's own forward solution of blocks with the same number of loads (`ratio` to it, in the
-// same run, in one thread): for one load and for those of a face of a block of 31 × 31 × 31
-// hexahedra, 95 thousand unknowns.
+// Compares two forward solutions of blocks with the same number of loads: a walk over CHOLMOD's
+// supernodes that visits only the paths of the loads, and CHOLMOD's own solution. `ratio`:
+// CHOLMOD's time divided by the time of the walk, in the same run, in one thread. For one load and
+// for the loads of a face of a block of 31 × 31 × 31 hexahedra, 95 thousand unknowns.
 //
 //   OPENBLAS_NUM_THREADS=1 palpateBenchmarks --benchmark_filter=CompliancesOfLoads
 //
-// One load: 151 ms, CHOLMOD 446, ratio 2.9. 900 loads: 10.8 s, CHOLMOD 70.7, ratio 6.6 (2.8 GHz,
-// with a build running at the same time).
+// One load: walk 151 ms, CHOLMOD 446 ms, ratio 2.9. 900 loads: walk 10.8 s, CHOLMOD 70.7 s, ratio
+// 6.6 (2.8 GHz, with a build running at the same time).
 #include "Solids/FiniteElements/StiffnessFactor.h"
 #include "Mechanics/ThreadCount.h"
 
@@ -25,15 +25,15 @@ namespace
 using namespace palpate;
 
 constexpr int Side = 31;
-constexpr std::size_t Block = 64; // loads per block, as StiffnessFactor takes them
+constexpr std::size_t Block = 64; // loads per block, as in StiffnessFactor
 
 double now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A stiffness matrix with both factorisations, and loads on the nine nodes around each node of its
-/// upper face.
+/// A stiffness matrix with both factorisations. Each load acts on the nine nodes around a node of
+/// its upper face.
 struct Problem
 {
   StiffnessMatrix stiffness;
@@ -93,7 +93,7 @@ struct Problem
   }
 };
 
-/// |L⁻¹ P b|² by the solver of CHOLMOD, which passes over all of L for each block.
+/// Computes |L⁻¹ P b|² with CHOLMOD's solver, which visits all of L for each block.
 std::vector<double> byCholmod(Problem& problem, const std::vector<SparseLoad>& loads)
 {
   const auto n = problem.factor->n;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a curve that is stored in 8 samples: through the filter's arrays and the evaluation
-// of the servo tick, against the law itself (E* = 3.45 MPa, range 2 mm). The time is that of one
-// evaluation.
+// The error of a curve that is stored in 8 samples. The curve passes through the filter's arrays
+// and the evaluation of the servo tick, and is compared with the law itself (E* = 3.45 MPa, range 2
+// mm). The time is the time of one evaluation.
 #include "Response/BodyConversion.h"
 #include "Mechanics/SeriesCompliance.h"
 #include "Mechanics/Tools/ToolSpecification.h"
@@ -26,8 +26,8 @@ constexpr double Modulus = 3.45;
 constexpr double Range = 2.0;
 constexpr int Probes = 10000;
 
-/// The stored response of one tool with one global compliance (mm/N), in the form that the tick
-/// uses.
+/// Returns the stored response of one tool with one global compliance (mm/N), in the form that the
+/// tick uses.
 std::unique_ptr<palpate::ResponseField> store(const std::string& tool, double compliance)
 {
   vtkNew<vtkPoints> points;

@@ -59,7 +59,7 @@ Paths makePaths(const Options& options)
   Paths paths;
   const std::size_t calls = options.hotCalls + TickTimer::UncountedCalls;
   paths.single = palpate::testing::windingTips(calls, Depth, Step);
-  // Ten tips across a finger of 10 mm and five along it.
+  // Each patch has ten tips across a finger of 10 mm and five tips along the finger.
   const std::size_t patches = options.hotCalls / 10 + TickTimer::UncountedCalls;
   paths.patch.reserve(PatchTips * patches);
   for (std::size_t i = 0; i < patches; ++i)
@@ -127,8 +127,8 @@ void addPalpate(Field& field, const Surface& surface, const Paths& paths)
   add("palpate-tick-50-tips", makePalpatePatch(*field.body), PatchTips);
 }
 
-/// Adds methods on responses in the compact form: one law for all points, and four laws combined at
-/// each point.
+/// Adds the methods on responses in the compact form: one law for all points, and four laws
+/// combined at each point.
 void addCompact(Field& field, const Surface& surface, const Paths& paths)
 {
   const ResponseStore responses = bumpyResponses(surface);
@@ -168,8 +168,8 @@ void addPeers(Field& field, const Surface& surface, const Paths& paths)
   add("vtk-static-point", makeVtkStaticPoint);
 }
 
-/// Largest distance of a point of the body from its given position, mm. The coordinates are stored
-/// as floats.
+/// Returns the largest distance of a point of the body from its given position, mm. The distance is
+/// not 0, because coordinates are stored as floats.
 double coordinateRounding(const Surface& surface)
 {
   double extent = 0.0;
@@ -195,8 +195,8 @@ std::vector<double> distances(const Contender& contender, std::size_t calls)
   return found;
 }
 
-/// The expected distance of each call of a contender: that of the followed point. For several tips
-/// it is the sum over their points, each found by a global search.
+/// Returns the expected distance for each call of a contender: the distance to the followed point.
+/// For several tips it is the sum of the distances to their points, each found by a global search.
 std::vector<double> expectedDistances(
   const Contender& contender, const Field& field, std::size_t calls)
 {
@@ -217,9 +217,9 @@ std::vector<double> expectedDistances(
 
 /**
  * Compares all methods with Palpate's followed point. Both find the closest point of the whole
- * body. If one of them stores the points as floats, the distances differ by no more than that
- * rounding; if both do, by twice the rounding. A followed contact in a local minimum would be
- * farther away; at a depth of 1 mm this body has no local minimum.
+ * body. If one of the two stores the points as floats, the distances differ by at most the rounding
+ * of the floats; if both do, by at most twice this rounding. A followed contact in a local minimum
+ * would be farther away, but at a depth of 1 mm this body has no local minimum.
  */
 bool agree(const Field& field, const Surface& surface, std::size_t calls)
 {
@@ -248,7 +248,8 @@ bool agree(const Field& field, const Surface& surface, std::size_t calls)
   return allAgree;
 }
 
-/// A tick on a small separate body. It brings no data of another body into the caches.
+/// A tick on a small separate body. It loads the code, but no data of another body, into the
+/// caches.
 struct Rehearsal
 {
   Rehearsal()
@@ -262,7 +263,7 @@ struct Rehearsal
   std::unique_ptr<TimedMethod> tick;
 };
 
-/// The rows of one body; empty if the methods do not agree.
+/// Returns the rows of one body; no rows if the methods do not agree.
 std::vector<TickRow> timeBody(
   const Options& options, double triangles, const Paths& paths, TickTimer& timer)
 {
@@ -382,7 +383,7 @@ int main(int argc, char* argv[])
     options.coldCalls = cold->count() > 0 ? options.coldCalls : 100;
   }
 
-  // For the methods that are built with VTK's threads.
+  // The methods that use VTK's threads need this back end.
   vtkSMPTools::SetBackend("STDThread");
   vtkSMPTools::Initialize(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   return run(options);

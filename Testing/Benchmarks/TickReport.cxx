@@ -105,7 +105,7 @@ void printTargets(const std::vector<TickRow>& rows)
   printTarget("its memory: responses 160, mesh 400", 560.0, tick->megabytes, "MB");
   if (mixed != nullptr)
   {
-    // The target "nothing" means: within the difference between two runs.
+    // No effect is expected; 1.1 allows for the difference between two runs.
     printTarget("tick, hot, median, input shuffled over in order", 1.1,
       mixed->times.hot.median / tick->times.hot.median, "");
   }

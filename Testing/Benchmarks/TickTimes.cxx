@@ -9,7 +9,7 @@ namespace palpate::benchmarks
 {
 namespace
 {
-/// Sorts the times.
+/// Returns the statistics. Sorts the times.
 CallTimes summarise(std::vector<double>& times)
 {
   std::sort(times.begin(), times.end());
@@ -28,7 +28,7 @@ CallTimes summarise(std::vector<double>& times)
   return found;
 }
 
-/// Uses the fastest pass of each call.
+/// Returns the statistics over the fastest pass of each call.
 CallTimes summariseFastest(const std::vector<std::vector<double>>& passes)
 {
   std::vector<double> least = passes.front();

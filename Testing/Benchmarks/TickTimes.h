@@ -12,7 +12,7 @@
 
 namespace palpate::benchmarks
 {
-/// A method on one body and its cost of building.
+/// A method on one body, with the time and memory to build it.
 struct Contender
 {
   std::string name;
@@ -39,17 +39,18 @@ struct TickTimes
 {
   CallTimes hot;
   CallTimes cold;
-  CallTimes warmCode; ///< zero calls without a rehearsal
+  CallTimes warmCode; ///< no calls without a rehearsal
 };
 
 /**
- * Hot: call after call along the path, repeated for `passes` passes. The fastest pass of each call
- * counts, because other work of the machine interrupts at random. Each pass begins with flushed
- * caches and some uncounted calls, so that data of new places come from memory, as under a moving
- * hand.
+ * Hot: call after call along the path, repeated for `passes` passes. Only the fastest pass of each
+ * call counts, because other work of the machine interrupts at random. Each pass begins with
+ * flushed caches and some uncounted calls, so that data of new places come from memory, as under a
+ * moving hand.
  * Cold: caches are flushed before every call, including body, code, stack and address translations.
- * The percentiles are over all calls. Warm code: the same, but the method has been called on
- * another body since the flush, so that only the body is cold.
+ * The percentiles are over all calls.
+ * Warm code: as cold, but after the flush the method has been called on another body, so that only
+ * the body is cold.
  */
 class TickTimer
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cost of a tilted tool in a tick, compared with a tool without an axis and an upright one. The
-// tool moves over a plate of 60 mm (20 thousand triangles) at a depth of 1 mm, with one curve, and
-// with one law of tilts for all points or several laws with weights at each point.
+// The cost of a tilted tool in a tick, compared with a tool without an axis and an upright tool.
+// The tool moves over a plate of 60 mm (20 thousand triangles) at a depth of 1 mm. The response is
+// one curve. The tilt data are one law for all points, or several laws with weights at each point.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleTilts.h"
@@ -25,7 +25,8 @@ enum Kind : int
   Leaning
 };
 
-/// A ball of 5 mm that tilts up to 0.6 rad. With several laws, each has its own factor.
+/// A plate under a ball of 5 mm that tilts up to 0.6 rad. With several laws, each law has its own
+/// factor.
 std::unique_ptr<ContactBody> plateOf(std::size_t laws)
 {
   std::vector<TiltStore::Factor> factors;

@@ -13,27 +13,27 @@ namespace palpate::benchmarks
 {
 /**
  * One method that finds the closest point to a tip, tick after tick. time() reads the clock
- * directly around the call. So the virtual call and the reading of the tip are not measured, even
- * with cold caches.
+ * directly before and after the search. The virtual call and the reading of the tip are therefore
+ * not measured, even with cold caches.
  */
 class TimedMethod
 {
 public:
   virtual ~TimedMethod() = default;
 
-  /// Finds the point for the next tip (the next `tipsPerCall` tips). Returns the counts of the
-  /// CallClock for it.
+  /// Finds the point for the next tip (for the next `tipsPerCall` tips). Returns the duration in
+  /// counts of the CallClock.
   virtual std::uint64_t time(const Vector3* tips) = 0;
-  /// Distance from the last tip to the point found for it, mm; the sum for several tips.
+  /// Distance from the last tip to its point, mm; for several tips the sum of their distances.
   virtual double distance() const = 0;
-  /// Forgets the position of the last tip.
+  /// Discards the state of the last tip.
   virtual void reset() = 0;
 };
 
 /**
  * A method made of a Query. `Input prepare(tips)` runs before the clock starts, `Answer
  * operator()(const Input&)` is timed, and `distance(tips, answer)` evaluates the answer afterwards.
- * The virtual call does not warm the query's own memory.
+ * The virtual call does not load the query's own memory into the caches.
  */
 template <class Query>
 class Timed final : public TimedMethod
@@ -77,8 +77,8 @@ constexpr int PatchTips = 50;
 testing::ResponseStore bumpyResponses(const testing::Surface& surface);
 std::unique_ptr<ContactBody> makePalpateBody(
   const testing::Surface& surface, const testing::ResponseStore& responses);
-/// The same in the compact form, with `laws` numbers per point. With 1 law no numbers are stored,
-/// since all points are equal.
+/// Makes the same body with responses in the compact form, with `laws` weights per point. With 1
+/// law no weights are stored, because all points are equal.
 std::unique_ptr<ContactBody> makeCompactBody(
   const testing::Surface& surface, const testing::ResponseStore& responses, int laws);
 
@@ -86,12 +86,12 @@ std::unique_ptr<TimedMethod> makePalpateTick(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpateServo(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpatePatch(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpatePoint(const ContactBody& body);
-/// The contact is forgotten before each call.
+/// These methods start a new contact in each call.
 std::unique_ptr<TimedMethod> makePalpateOnset(const ContactBody& body);
 std::unique_ptr<TimedMethod> makePalpateOnsetTick(const ContactBody& body);
 
 std::unique_ptr<TimedMethod> makeVtkStaticPoint(const testing::Surface& surface);
-// Null if the library was not found when Palpate was built.
+// Each returns null if the library was not found when Palpate was built.
 std::unique_ptr<TimedMethod> makeCgalPoint(const testing::Surface& surface);
 std::unique_ptr<TimedMethod> makeEmbreePoint(const testing::Surface& surface);
 } // namespace palpate::benchmarks

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The responses of three tools on a body's true shape: a block of 31 × 31 × 31 hexahedra of 1 mm on
-// a fixed base, 95 thousand unknowns and 5768 points, each of them a source. `first_s` includes
-// factor and solutions, `next_s` is the time of each further tool; the memory is given as forecast
-// and as measured. Compare with ElasticComplianceOfAllPoints: the same body and factor, one number
-// per point.
+// a fixed base, 95 thousand unknowns and 5768 points, each of which is a source. `first_s` includes
+// factor and solutions; `next_s` is the time of each further tool. The memory is given both as
+// forecast and as measured. To be compared with ElasticComplianceOfAllPoints, which has the same
+// body and factor, but one number per point.
 #include "ProcessMemory.h"
 #include "Response/VolumeBlock.h"
 
@@ -41,7 +41,8 @@ void ElasticContactResponseOfThreeTools(benchmark::State& state)
     filter->SetTool(tool);
     double first = 0.0;
     double next = 0.0;
-    for (const char* name : { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the widest tool first
+    for (const char* name :
+      { "sphere:6.35", "sphere:1.6", "flat:1.6" }) // the tool with the widest contact is first
     {
       tool->SetSpecification(name);
       const double seconds = secondsOf(filter);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkStaticCellLocator with its default settings: buckets of cells, no memory of the last result.
+// vtkStaticCellLocator with its default settings: buckets of cells, without use of the last result.
 #include "TimedMethod.h"
 
 #include "vtkCellArray.h"

@@ -4,9 +4,9 @@
     parallel.py MPIEXEC PVBATCH PLUGINS FOLDER [POINTS] [RANKS...]
 
 The body is a ball of POINTS points (default 2 million) in equal pieces. Each process makes its own piece, without
-normals, so that the triangles of all pieces count at the seams. Each process is bound to a core of its own and uses
-no other core, so that one process stands for one machine. Runs of one process and of several alternate, Rounds times.
-The best time of each is taken, and the ratio to one process is printed. Writes FOLDER/parallel.csv.
+normals, so that the computation of normals at the seams uses triangles of several pieces. Each process is bound to
+its own core, so that one process represents one machine. Runs of one process and of several alternate, Rounds times.
+The best time of each is taken, and its ratio to the time of one process is printed. Writes FOLDER/parallel.csv.
 """
 import csv
 import os
@@ -20,7 +20,7 @@ COLUMNS = ("ranks", "rank", "points", "response_s", "probe_s", "probe_again_s", 
 
 
 def piece(points, rank, ranks):
-    """The rows of a ball that belong to a rank; neighbours have the points between them in common."""
+    """The rows of a ball that belong to a rank. Neighbouring ranks share the points on their border."""
     import numpy as np
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -45,7 +45,7 @@ def piece(points, rank, ranks):
 
 
 def measure(file, points):
-    """On each process, by pvbatch --sym; this process's line goes to its own file."""
+    """Runs on each process, by pvbatch --sym. Each process writes its line to its own file."""
     import math
     import palpate
     from vtkmodules.vtkCommonCore import vtkPoints

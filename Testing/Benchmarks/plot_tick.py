@@ -4,7 +4,8 @@
 
     plot_tick.py TICK.CSV PICTURE.PNG
 
-A line is the median. The bar above it ends at p99, which may be outside the frame. Exit code 77 without matplotlib.
+A line is the median. The bar above the line ends at p99, which may be outside the frame.
+Exit code 77 without matplotlib.
 """
 import csv
 import sys

@@ -35,7 +35,7 @@ def head():
 
 
 def scattered(body, count):
-    """Tips around the triangles of a body, evenly by area."""
+    """Random tips near the triangles of a body, evenly distributed by area."""
     random = np.random.default_rng(1)
     points = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
     corners = points[vtk_to_numpy(body.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
@@ -48,7 +48,7 @@ def scattered(body, count):
 
 
 def along_a_curve(tips):
-    """The same tips, each near the one before: bit by bit interleaved cells of 0.25 mm."""
+    """The same tips in Morton order of cells of 0.25 mm, so that each is near the previous one."""
     cells = ((tips - tips.min(axis=0)) / 0.25).astype(np.uint64)
     key = sum(((cells[:, axis] >> np.uint64(bit)) & np.uint64(1)) << np.uint64(3 * bit + axis)
               for bit in range(11) for axis in range(3))

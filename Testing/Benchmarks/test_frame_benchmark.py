@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark of frames runs and prints its rows. Times are not judged.
+"""The benchmark of frames runs and prints its rows. Times are not checked.
 
     test_frame_benchmark.py PROGRAM
 """

@@ -21,7 +21,7 @@ PROGRAM = sys.argv[1] if len(sys.argv) > 1 else ""
 
 
 def run(*options):
-    """What the program said, its rows, and its first line."""
+    """The result of the program, its rows, and the first line of its file."""
     with tempfile.TemporaryDirectory() as folder:
         result = subprocess.run([PROGRAM, "--quick", "--output", folder, *options],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
@@ -57,7 +57,7 @@ class ServoBenchmark(unittest.TestCase):
     def test_beside_memory_traffic(self):
         said = self.check(["1000", "4000"], "memory")
         self.assertRegex(said, r"memory: \d+ threads that read \d+ MiB each")
-        # All processors: a thread of the program reads memory on each without a pause.
+        # The load uses all processors: one thread per processor reads memory without a pause.
         busy = re.search(r"memory: (\d+\.\d+) of (\d+) processors were at work", said)
         self.assertIsNotNone(busy, said)
         self.assertGreater(float(busy[1]), 0.5 * int(busy[2]))

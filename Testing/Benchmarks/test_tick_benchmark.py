@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark of the tick runs: all methods in the build agree and have their rows. Times are not judged.
+"""The benchmark of the tick runs: all methods in the build agree and have their rows. Times are not checked.
 
     test_tick_benchmark.py PROGRAM METHOD ...    METHODs: the other methods that must be in the build
 """
@@ -61,8 +61,8 @@ class TickBenchmark(unittest.TestCase):
         for match in compared.values():
             self.assertGreaterEqual(int(match[2]), 200)
             self.assertLessEqual(float(match[3]), float(match[4]))
-            # Floats at 100 mm: 2^-18 mm per coordinate, times 2 √3. The sum over 50 tips has 50
-            # times that.
+            # Rounding of floats at 100 mm: 2^-18 mm per coordinate, times 2 √3. The sum over 50
+            # tips has 50 times this rounding.
             self.assertLess(float(match[4]), (50 if "50" in match[1] else 1) * 1.4e-5)
 
     def test_wrong_options_are_refused(self):

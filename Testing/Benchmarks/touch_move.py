@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the cost of moving Touch's handle in ParaView: pvpython touch_move.py [FILE.csv]      needs an X server
 
-The body has 163 842 vertices and is 290 mm long, like a head. The tip goes around it in steps of some 3 mm. For
-comparison, in the same run and on the same body, the cost in ParaView without Touch: a frame of the body at rest,
-and a frame after ParaView's own Transform has moved all points, which are sent again, as after a dent. Also the
+The body has 163 842 vertices and is 290 mm long, like a head. The tip goes around it in steps of about 3 mm. For
+comparison, the same run measures two frames of the same body in ParaView without Touch: one of the body at rest, and
+one after ParaView's own Transform has moved all points, which are sent again, as after a dent. It also measures the
 filter alone, without ParaView. The numbers are medians in ms; ratios are more meaningful than times.
 """
 import statistics
@@ -22,7 +22,7 @@ WARM = 5                                                    # uncounted moves
 
 
 def timed(view, change, update):
-    """Medians of update and of update and frame, over all moves."""
+    """Medians over all moves: of the update alone, and of the update with its frame."""
     updates, frames = [], []
     for i in range(WARM + MOVES):
         change(i)

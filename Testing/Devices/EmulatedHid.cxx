@@ -47,7 +47,7 @@ private:
   {
     this->Bed = umockdev_testbed_new();
     chmod(this->root().c_str(),
-      0755); // lets other users read the folder, so that access to the device is refused
+      0755); // lets other users read the folder, so that only the access to the device is refused
     this->Loop = g_main_loop_new(nullptr, FALSE);
     this->Thread = std::thread([this] { g_main_loop_run(this->Loop); });
   }
@@ -97,10 +97,11 @@ gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
   {
     if (model.feature.empty())
     {
-      umockdev_ioctl_client_complete(client, -1, EPIPE); // a stall, as usbhid reports it
+      // A stall, in the form that usbhid reports it.
+      umockdev_ioctl_client_complete(client, -1, EPIPE);
       return TRUE;
     }
-    std::vector<std::uint8_t> bytes(1, 0); // number of the report
+    std::vector<std::uint8_t> bytes(1, 0); // begins with the number of the report
     bytes.insert(bytes.end(), model.feature.begin(), model.feature.end());
     bytes.resize(std::min<std::size_t>(bytes.size(), _IOC_SIZE(request)));
     answer(client, bytes.data(), bytes.size(), static_cast<long>(bytes.size()));
@@ -128,8 +129,8 @@ std::string fourDigits(int value)
   return text.data();
 }
 
-/// umockdev (0.17) keeps a note for each pseudo-terminal. The note causes an error when the system
-/// reuses the terminal.
+/// Deletes umockdev's note of a pseudo-terminal. umockdev (0.17) keeps such a note for each
+/// terminal, which causes an error when the system reuses the terminal.
 void forgetTerminal(int far)
 {
   std::string note = ptsname(far);
@@ -205,7 +206,7 @@ bool EmulatedHid::send(const std::uint8_t* bytes, std::size_t size)
   this->flush();
   if (this->Unsent.size() == size)
   {
-    this->Unsent.clear(); // no room for all of it: lost, as in hidraw's buffer
+    this->Unsent.clear(); // the report does not fit completely and is lost, as in hidraw's buffer
     return false;
   }
   return true;
@@ -239,7 +240,8 @@ bool EmulatedHid::receive(std::vector<std::uint8_t>& report, std::size_t size)
     return false;
   }
   const auto begin = this->Pending.begin();
-  report.assign(begin + 1, begin + 1 + static_cast<std::ptrdiff_t>(size)); // without its number
+  // The report is returned without its number.
+  report.assign(begin + 1, begin + 1 + static_cast<std::ptrdiff_t>(size));
   this->Pending.erase(begin, begin + 1 + static_cast<std::ptrdiff_t>(size));
   return true;
 }

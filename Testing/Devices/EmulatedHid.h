@@ -21,31 +21,34 @@ struct HidModel
   std::string serial = "42";
   std::vector<std::uint8_t> reportDescriptor;
   std::vector<std::uint8_t>
-    feature; ///< without the report's number; empty if there is no feature report
+    feature; ///< bytes without the report's number; empty if there is no feature report
 };
 
 class UhidDevice;
 
 /**
- * A USB HID device that this process sees as /dev/hidrawN and in /sys, emulated by umockdev. The
- * code that opens it is the real hidapi. The process must run under umockdev-wrapper.
- * A real hidraw delivers whole reports; this one is a stream of bytes (a pseudo-terminal). After a
- * report of a different length a test must wait until it has been read.
+ * A USB HID device emulated by umockdev. This process sees it as /dev/hidrawN and in /sys. The code
+ * that opens the device is the real hidapi. The process must run under umockdev-wrapper.
+ * A real hidraw delivers whole reports, but the emulated hidraw is a stream of bytes (a
+ * pseudo-terminal). Therefore a test that sends a report of a different length must wait until the
+ * report has been read.
  */
 class EmulatedHid
 {
 public:
-  /// Plugs the device in, under a number that has not been used before (a limitation of umockdev).
+  /// Plugs the device in under a number that has not been used before, because umockdev cannot
+  /// reuse numbers.
   explicit EmulatedHid(HidModel model);
-  /// Unplugs it.
+  /// Unplugs the device.
   ~EmulatedHid();
   EmulatedHid(const EmulatedHid&) = delete;
   EmulatedHid& operator=(const EmulatedHid&) = delete;
 
   const std::string& path() const { return this->Path; }
-  /// Device → host. False if it is unplugged or if no program reads.
+  /// Device → host. Returns false if the device is unplugged or no program reads.
   bool send(const std::uint8_t* bytes, std::size_t size);
-  /// Host → device: the next output report, without its number. False if there is none.
+  /// Host → device: gets the next output report, without its number. Returns false if there is
+  /// none.
   bool receive(std::vector<std::uint8_t>& report, std::size_t size);
   void unplug();
 
@@ -56,10 +59,11 @@ private:
   std::string Path;
   std::vector<std::string> Nodes; ///< in /sys, outermost first
   std::mutex Mutex;
-  int Far = -1;                      ///< under Mutex: the file descriptor of the device's end
-  std::vector<std::uint8_t> Unsent;  ///< rest of a report for which there was no room
+  int Far = -1;                      ///< file descriptor of the device's end; protected by Mutex
+  std::vector<std::uint8_t> Unsent;  ///< rest of a report that did not fit
   std::vector<std::uint8_t> Pending; ///< beginning of a received report
-  std::shared_ptr<UhidDevice> Uhid;  ///< replaces the last four on a real kernel (kernel/)
+  /// Replaces the previous four members on a real kernel (kernel/).
+  std::shared_ptr<UhidDevice> Uhid;
 };
 } // namespace palpate::testing
 

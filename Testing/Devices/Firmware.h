@@ -20,7 +20,8 @@ namespace palpate::testing
 /// Position (m) as a function of the time since the start (s).
 using HandPath = std::function<Eigen::Vector3d(double)>;
 
-/// Description of a force device as its maker would write it: 6 N, 2500 N/m, a time-out of 20 ms.
+/// Returns the description of a force device as its manufacturer would write it: 6 N, 2500 N/m, a
+/// time-out of 20 ms.
 palpate_hid_description describedDevice();
 HidModel modelOf(const palpate_hid_description& description);
 
@@ -32,22 +33,24 @@ class Firmware
 {
 public:
   Firmware(EmulatedHid& hid, HandPath hand);
-  /// Stops the loop; the device stays plugged in.
+  /// Stops the loop. The device stays plugged in.
   ~Firmware();
 
-  /// `yes`: the firmware hangs. It neither reads nor writes after the return of this call.
+  /// With `yes`, the firmware hangs: after the return of this call it neither reads nor writes.
   void hang(bool yes);
 
   /// Returns a copy of the present state.
   palpate_hid state() const;
   Eigen::Vector3d motors() const; ///< N
-  /// True if the motors have had this force (N) at any time. The watchdog removes a force after 20
-  /// ms, and on a busy machine a thread may not look in that time.
+  /// Returns true if the motors have had this force (N) at any time. The present force is not
+  /// sufficient for this check: the watchdog removes a force after 20 ms, and on a busy machine a
+  /// thread may not run within that time.
   bool hasApplied(const Eigen::Vector3d& force) const;
   std::uint64_t forcesTaken() const;
-  /// Number of states for which the host had no room, because it did not read.
+  /// Number of states that could not be sent, because the host did not read.
   std::uint64_t statesNotSent() const;
-  /// For each force taken: the number of states sent since the state on which the force is based.
+  /// For each received force: the number of states sent since the state to which the force
+  /// responds.
   std::vector<std::uint32_t> delays() const;
 
 private:
@@ -63,7 +66,7 @@ private:
   std::uint64_t Taken = 0;
   std::uint64_t NotSent = 0;
   std::vector<std::uint32_t> Delays;
-  bool Hanging = false; ///< under Mutex
+  bool Hanging = false; ///< protected by Mutex
   std::atomic<bool> Stopping{ false };
   std::thread Thread;
 };

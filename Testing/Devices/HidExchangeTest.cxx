@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A force device at 1 kHz through the real hidapi, and everything that may arrive instead of a
-// report.
+// A force device at 1 kHz through the real hidapi, with valid and invalid reports.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -19,7 +18,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Half a wave per second with an amplitude of 10 mm.
+/// A sine of 0.5 Hz with an amplitude of 10 mm.
 Vector3d wave(double seconds)
 {
   return { 0.0, 0.0, 0.01 * std::sin(3.14159265 * seconds) };
@@ -33,7 +32,7 @@ std::unique_ptr<HidDevice> opened(const EmulatedHid& hid)
   return device;
 }
 
-/// Runs `tick` at 1 kHz.
+/// Calls `tick` at 1 kHz.
 template <class Tick>
 void run(int ticks, const Tick& tick)
 {
@@ -102,7 +101,8 @@ TEST(HidExchange, OneKilohertzBothWays)
       return firmware.hasApplied({ 0.25, 0.5, -1.0 });
     }))
     << "the last force is applied";
-  // The writer counts replaced forces after it has written. The last force may arrive before that.
+  // The writer counts a replaced force after writing, so the last force may arrive before it is
+  // counted.
   EXPECT_TRUE(eventually([&] { return firmware.forcesTaken() + device->errors().unsent == sent; }))
     << "no force is unaccounted for";
   EXPECT_TRUE(eventually(
@@ -148,16 +148,16 @@ TEST(HidExchange, WhatIsNoReportIsCountedAndNotUsed)
     EXPECT_TRUE(eventually([&] { return device->errors().malformed == count; })) << size;
   };
   pack(state, report);
-  report[20] ^= 0x10; // damaged
+  report[20] ^= 0x10; // wrong checksum
   refused(64, 1);
   pack(state, report);
-  refused(63, 2); // short
+  refused(63, 2); // the report is too short
   refused(1, 3);
   report[60] ^= 1;
   refused(
     96, 5); // too long: hidapi delivers 64 bytes; here the other 32 are a second, short report
   pack(state, report);
-  report[2] = 2; // version
+  report[2] = 2; // wrong version
   refused(64, 6);
   pack(ForceReport(), report); // a report of the wrong direction
   refused(64, 7);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugged-in devices as the real hidapi reports them, and the reasons why a device cannot be
+// The plugged-in devices that the real hidapi reports, and the reasons why a device cannot be
 // opened.
 #include "Transports/DeviceList.h"
 
@@ -40,8 +40,8 @@ HidModel keyboard()
   return model;
 }
 
-/// Calls `words` in a process of an unprivileged user. True if the text contains `part`. The
-/// process reports the result as its exit code: 0 if it does.
+/// Calls `words` in a process of an unprivileged user. Returns true if the text contains `part`.
+/// The process reports this by the exit code 0.
 template <class Words>
 bool nobodyIsTold(const Words& words, const std::string& part)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plug is pulled while the tool presses: the first tick after the device has reported its loss
-// never sends a force. And the device returns.
+// The device is unplugged while the tool presses. The first tick after the device has reported its
+// loss never sends a force. Afterwards the device is plugged in again.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -32,15 +32,16 @@ void print(const char* what, std::vector<double> milliseconds)
   std::printf("%s: median %.2f ms, worst %.2f ms of %zu\n", what,
     milliseconds[milliseconds.size() / 2], milliseconds.back(), milliseconds.size());
 }
-/// True if another round is needed: the planned number, and more if fewer than half of the rounds
-/// began during contact, as on a busy machine.
+/// Returns true if another round is needed: until the planned number is reached, and longer if
+/// fewer than half of the rounds began during contact, as on a busy machine.
 bool goOn(int round, int planned, int pressing)
 {
   return round < planned || (pressing <= planned / 2 && round < 10 * planned);
 }
 } // namespace
 
-// The plug is pulled during a press; palpateUnplugs pulls it at any time and more often.
+// The device is unplugged during a press. The program palpateUnplugs does so at random times and
+// more often.
 TEST(HidUnplug, NoForceInTheFirstTickAfterTheLossEveryTime)
 {
   constexpr int Rounds = 100;
@@ -81,7 +82,7 @@ TEST(HidUnplug, ItReturnsAndIsFeltAgain)
     ASSERT_EQ(servo.force(), Vector3d::Zero());
     servo.forgetLosses();
     firmware.reset();
-    hid = std::make_unique<EmulatedHid>(modelOf(describedDevice())); // at a different path
+    hid = std::make_unique<EmulatedHid>(modelOf(describedDevice())); // gets a different path
     const auto plugged = Clock::now();
     firmware = std::make_unique<Firmware>(*hid, press);
     for (int i = 0; i < PatientTicks && device->status() != "connected"; ++i)
@@ -163,7 +164,7 @@ TEST(HidUnplug, PulledWhileTheDriverHangs)
   for (int i = 0; i < 600; ++i)
   {
     device->write({ 1.0, 0.0, 0.0 });
-    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // until write() blocks
+    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // long enough for write() to block
   }
   hid.unplug();
   ASSERT_TRUE(eventually([&] { return device->errors().disconnections == 1; }));

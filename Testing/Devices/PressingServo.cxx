@@ -24,7 +24,7 @@ PressingServo::PressingServo(HidDevice& device, std::shared_ptr<const ContactBod
 bool PressingServo::tick()
 {
   std::this_thread::sleep_until(this->Deadline);
-  // Missed ticks are not made up for, so N ticks take at least N milliseconds.
+  // Missed ticks are not repeated, so N ticks take at least N milliseconds.
   this->Deadline =
     std::max(this->Deadline, std::chrono::steady_clock::now()) + std::chrono::milliseconds(1);
   const bool reported = this->Device.errors().disconnections > this->Losses;

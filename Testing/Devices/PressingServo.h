@@ -14,29 +14,29 @@
 
 namespace palpate::testing
 {
-/// Path of a press on the middle of a plate of 10 mm: five times a second from 0.1 mm above it to a
-/// depth of 0.5 mm, where it begins.
+/// Path of a press on the middle of a plate of 10 mm: five times a second between 0.1 mm above the
+/// plate and a depth of 0.5 mm. The path begins at the depth of 0.5 mm.
 constexpr double PressPeriod = 0.2; ///< s
-/// Number of ticks to wait for an event on any machine: at least a minute, for an event that takes
-/// a second.
+/// Number of ticks to wait for an event: at least a minute, which is enough on any machine for an
+/// event that takes a second.
 constexpr int PatientTicks = 60000;
 Eigen::Vector3d press(double seconds);
 
-/// The host's loop at 1 kHz in the caller's own thread, with the whole chain from sample to force.
+/// The host's loop at 1 kHz in the caller's thread, with the whole chain from sample to force.
 class PressingServo
 {
 public:
   PressingServo(HidDevice& device, std::shared_ptr<const ContactBody> plate);
 
-  /// Runs one tick, 1 ms or more after the one before. True if the loss of the device had been
-  /// reported when the tick began.
+  /// Runs one tick, at least 1 ms after the previous tick. Returns true if the loss of the device
+  /// had been reported before the tick began.
   bool tick();
-  /// Runs ticks until the plate gives a force, at most PatientTicks. True if it did.
+  /// Runs ticks until the plate exerts a force, at most PatientTicks. Returns true if it did.
   bool ticksUntilForce();
   void forgetLosses() { this->Losses = this->Device.errors().disconnections; }
 
-  const Eigen::Vector3d& force() const { return this->Force; } ///< sent in the last tick, N
-  /// Time in s from the last new reading to the last tick.
+  const Eigen::Vector3d& force() const { return this->Force; } ///< force sent in the last tick, N
+  /// Time from the last new reading to the last tick, s.
   double silence() const { return this->Silence; }
 
 private:

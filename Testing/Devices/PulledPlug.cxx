@@ -21,7 +21,7 @@ std::string forceFault(const Eigen::Vector3d& force, int tick)
   return text;
 }
 
-/// Runs ticks until the loss is reported, and twenty more. Returns the fault, or "".
+/// Runs ticks until the loss is reported, and then twenty more. Returns the fault, or "".
 std::string watchLoss(PressingServo& servo, Clock::time_point& gone)
 {
   int ticks = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A SpaceMouse through the real hidapi, in the classic and in the wireless layout.
+// A SpaceMouse through the real hidapi, with the report layout of the classic and of the wireless
+// models.
 #include "Transports/Hid/SpaceMouseDevice.h"
 
 #include "EmulatedHid.h"
@@ -27,14 +28,14 @@ HidModel model()
   return model;
 }
 
-/// Sends a report, then a button, and waits until the tick sees the button. `buttons` must differ
-/// from the last call.
+/// Sends a report, then a button, and waits until a tick reads the button. `buttons` must differ
+/// from those of the previous call.
 bool push(EmulatedHid& hid, SpaceMouseDevice& mouse, const std::vector<std::uint8_t>& report,
   std::uint8_t buttons)
 {
   hid.send(report.data(), report.size());
-  // Such a device sends a report every 8 ms. The emulated one is a stream of bytes: the first
-  // report must be read before the second comes, even on a busy machine.
+  // Such a device sends a report every 8 ms. The emulated device is a stream of bytes. Therefore
+  // the first report must be read before the second is sent, even on a busy machine.
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const std::uint8_t pressed[] = { 3, buttons, 0 };
   hid.send(pressed, sizeof pressed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unplugs at random moments with the real hidapi. Is the first tick after the report of the loss
-// always without force, and how long after the pull does it end? See --help.
+// Unplugs devices at random moments with the real hidapi. Checks that the first tick after the
+// report of the loss is always without force, and measures the time from the unplugging to the end
+// of this tick. See --help.
 #include "PressingServo.h"
 #include "PulledPlug.h"
 #include "SampleResponses.h"
@@ -32,13 +33,14 @@ struct Options
 struct Tally
 {
   int pulls = 0;
-  int withoutForce = 0;      ///< in the first tick after the report and the twenty after it
-  int pressing = 0;          ///< the motors had a force when the plug was pulled
-  double strongest = 0.0;    ///< largest of these forces, N
-  std::vector<double> walls; ///< from the pull to the end of the first tick without force, ms
+  /// Number of pulls without force in the first tick after the report and in the next twenty ticks.
+  int withoutForce = 0;
+  int pressing = 0;          ///< number of pulls during which the motors had a force
+  double strongest = 0.0;    ///< largest force of the motors at a pull, N
+  std::vector<double> walls; ///< times from the pull to the end of the first tick without force, ms
 };
 
-/// Any phase of a press, and any time within a press and the pause before the next one.
+/// Random moments: any phase of a press, and any time within a press and the pause after it.
 class RandomMoments
 {
 public:
@@ -54,8 +56,8 @@ public:
   }
 
 private:
-  /// Gives the same numbers on every machine; std::uniform_real_distribution does not guarantee
-  /// that.
+  /// Returns a random number from 0 to 1, the same on every machine; std::uniform_real_distribution
+  /// does not guarantee this.
   double share() { return this->Random() / 4294967296.0; }
   std::mt19937 Random;
 };
@@ -83,8 +85,8 @@ Tally pullAll(const Options& options)
   return tally;
 }
 
-/// The smallest sorted value that is at least as large as this share of all values; 0 for no
-/// values.
+/// Returns the smallest value for which at least the fraction `share` of all values is not larger;
+/// 0 without values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   const auto rank = std::max(std::ceil(share * static_cast<double>(sorted.size())), 1.0);
@@ -158,7 +160,7 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
 
   const Tally tally = pullAll(options);
-  // There is a force for most of a press, so most random moments have one.
+  // There is a force for most of a press, so a force is expected at more than half of the moments.
   const bool passed = tally.withoutForce == tally.pulls && 2 * tally.pressing > tally.pulls;
   const Figures figures = figuresOf(options, tally);
   for (const auto& [name, value] : figures)

@@ -29,8 +29,8 @@ NOTHING = {"passed": False, "figures": {}, "fault": "not run", "seconds": 0.0, "
 
 
 class Part:
-    """A command that writes {"part", "passed", "figures"} to a file of its own, to which is added when it was run, of
-    what commit, how long it took, and what was wrong.
+    """A command that writes {"part", "passed", "figures"} to its own file. run() adds to this file the date, the
+    commit, the duration and the fault.
     """
 
     def __init__(self, name, what, command):
@@ -55,7 +55,7 @@ class Part:
         result.write_text(json.dumps(written, indent=1), encoding="utf-8")
 
     def result(self, folder):
-        """What run() left, now or earlier."""
+        """The results that run() wrote, in this or an earlier call."""
         try:
             return {**NOTHING, **json.loads(self.file(folder).read_text(encoding="utf-8"))}
         except OSError:
@@ -63,7 +63,7 @@ class Part:
 
 
 def judge(code, fault, file):
-    """A part has passed if its program says so twice: by its exit code and in its file."""
+    """A part has passed only if both its exit code and its file report success."""
     try:
         written = json.loads(file.read_text(encoding="utf-8"))
         passed = code == 0 and written["passed"] is True
@@ -76,7 +76,7 @@ def judge(code, fault, file):
 
 
 def make_parts(arguments):
-    """Those that only compute, the soak, and those that look at times."""
+    """The parts that only compute, the soak, and the parts that measure times."""
     release, asan = ROOT / "build" / "release", ROOT / "build" / "asan"
     python, jobs = sys.executable, len(os.sched_getaffinity(0))
     beside = [
@@ -150,8 +150,8 @@ def number(value):
 
 
 def show(figures):
-    """Markdown of {name: value}; a list becomes lines below its name, values that are such themselves rows of one
-    table.
+    """Markdown of {name: value}. A list becomes lines below its name. Values that are dictionaries become the rows of
+    one table.
     """
     rows = {name: value for name, value in figures.items() if isinstance(value, dict)}
     lines = []

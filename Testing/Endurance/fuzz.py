@@ -8,7 +8,7 @@ ctest lists the fuzzers and their options (label Fuzz). Each starts from its com
 writes new inputs to a new folder, BUILD/endurance/NAME. Inputs that cause a failure are written to
 BUILD/endurance/findings.
 
---only runs some of them again, after a finding was fixed, and keeps the results of the others in FILE.json.
+--only runs some of them again, after a fault was corrected, and keeps the results of the others in FILE.json.
 
 FILE.json: {"part": "fuzzing", "passed": bool, "figures": {NAME: {...}}}, per fuzzer the commit, seed (as
 given to libFuzzer), executions, executions_per_s, new_units (inputs kept because they reached new code),
@@ -30,9 +30,9 @@ from pathlib import Path
 
 from endurance import commit
 
-# Each allocation keeps three frames of the place where it was made, since thirty frames would take
-# a third of the time. A failing input that is run alone reports all frames. Freed memory is kept in
-# quarantine for a while to detect later use: 16 MiB hold the memory of many inputs and stay in the
+# Each allocation records three stack frames, because thirty frames would take a third of the time.
+# If a failing input is run alone, all frames are reported. Freed memory is kept in quarantine for a
+# while to detect later use. A quarantine of 16 MiB holds the memory of many inputs and stays in the
 # cache.
 ENVIRONMENT = {"ASAN_OPTIONS": "malloc_context_size=3:quarantine_size_mb=16",
                "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
@@ -40,7 +40,7 @@ REPLACED = ("-seed=", "-max_total_time=", "-print_final_stats=", "-runs=")
 
 
 def fuzzers(build):
-    """Name -> command line as in the test, of what the build has."""
+    """Name -> command line of each fuzzer in the build, as in its test."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=build, check=True,
                              stdout=subprocess.PIPE, text=True).stdout
     found = {}
@@ -52,7 +52,7 @@ def fuzzers(build):
 
 
 def command_for(command, scratch, findings, runs, seed):
-    """The test's command for so many runs; its folders are the scratch corpus and the committed one."""
+    """The test's command for `runs` inputs. Its folders are the scratch corpus and the committed corpus."""
     program, *rest = command
     options = [word for word in rest if word.startswith("-") and not word.startswith(REPLACED)]
     committed = [word for word in rest if not word.startswith("-")][-1]
@@ -67,7 +67,7 @@ def last(pattern, text, default=None):
 
 
 def read_log(text, runs):
-    """What libFuzzer's closing lines say."""
+    """The results in libFuzzer's last lines."""
     executions = last(r"stat::number_of_executed_units:\s*(\d+)", text, 0)
     artifact = re.findall(r"Test unit written to (\S+)", text)
     summary = re.findall(r"^(?:SUMMARY: .*|does not hold: .*)$", text, re.MULTILINE)
@@ -105,12 +105,12 @@ def fuzz(name, command, folder, runs, seed):
 
 
 def judge(figures):
-    """Whether every fuzzer ran all its inputs and found nothing; none at all is no success."""
+    """Whether every fuzzer ran all its inputs without a finding; False if there is no fuzzer."""
     return bool(figures) and all(f["complete"] and f["finding"] == "none" for f in figures.values())
 
 
 def merge(earlier, figures):
-    """What to write: the earlier file with the new figures in place of the old ones."""
+    """The earlier file with the new figures in place of the old ones."""
     together = {**earlier.get("figures", {}), **figures}
     passed = judge(together)
     return {**earlier, "part": "fuzzing", "passed": passed, "fault": "" if passed else "see finding",
@@ -134,7 +134,7 @@ def main():
     chosen = {name: known[name] for name in known if not arguments.only or name in arguments.only}
     file = arguments.output
     earlier = json.loads(file.read_text(encoding="utf-8")) if arguments.only and file.exists() else {}
-    tried = commit() # of which the build is, whatever comes while it runs
+    tried = commit() # the commit of the build, read now because it may change during the run
     seed = arguments.seed or random.SystemRandom().randrange(1, 2**31)
     print(f"seed {seed}", flush=True)
     folder = (arguments.build / "endurance").resolve()

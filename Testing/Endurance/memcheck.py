@@ -28,10 +28,11 @@ from pathlib import Path
 ROOMS = ("Mechanics", "Contact", "Laws", "Strain", "Solids", "Identification", "Haptics", "Transports", "Trials")
 QUICK = {"palpateTickTests": "*"}
 SUPPRESSIONS = Path(__file__).with_name("memcheck.supp")
-CHUNK = 12  # tests per valgrind: it takes a second to start, and the last chunks should end together
+# Tests per valgrind: a start takes a second, and the last chunks should end at about the same time.
+CHUNK = 12
 
-# Pattern -> reason. Programs run 30 to 100 times slower here, one thread at a time. For each kind
-# of code that is left out, a shorter test remains.
+# Pattern -> reason. Under valgrind, programs run 30 to 100 times slower, with one thread at a time.
+# For each kind of code that is left out, a shorter test remains.
 SWEEP = "sweeps numbers for a bound: minutes here, no code that shorter tests of its suite leave out"
 TABLES = "solves layers anew for whole tables: minutes here; LayerTable.Bonded* and LayerContact.* remain"
 LONG = "compares with closed forms in long double, which valgrind computes in 64 bits"
@@ -60,7 +61,7 @@ LEFT_OUT = {
 
 
 def programs(build):
-    """The GoogleTest programs of the rooms."""
+    """The GoogleTest programs of the folders in ROOMS."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=build, check=True,
                              stdout=subprocess.PIPE, text=True).stdout
     found = set()
@@ -73,7 +74,7 @@ def programs(build):
 
 
 def tests_of(program):
-    """Suite.Test of all tests that are not disabled."""
+    """The names Suite.Test of all tests that are not disabled."""
     listing = subprocess.run([program, "--gtest_list_tests"], check=True, stdout=subprocess.PIPE,
                              text=True).stdout
     tests, suite = [], ""
@@ -87,7 +88,7 @@ def tests_of(program):
 
 
 def reason_against(test):
-    """Why a test is left out, or None."""
+    """The reason why a test is left out, or None."""
     return next((why for pattern, why in LEFT_OUT.items() if fnmatch.fnmatchcase(test, pattern)), None)
 
 
@@ -108,10 +109,11 @@ def errors_in(report):
 
 
 def memcheck(program, tests, folder, number):
-    """Runs some tests of a program. Returns how many ran, names of those that failed, and errors."""
+    """Runs some tests of a program. Returns the number of tests that ran, the names of failed tests, and errors."""
     report = folder / f"{program.name}-{number}.xml"
     results = folder / f"{program.name}-{number}.json"
-    # Some tests replace operator new to count allocations. It is left to them: it calls malloc.
+    # Some tests replace operator new to count allocations. Valgrind must not intercept it; it calls
+    # malloc.
     command = ["valgrind", "--error-exitcode=99", "--leak-check=full",
                "--errors-for-leak-kinds=definite", "--show-leak-kinds=definite", "--num-callers=30",
                "--child-silent-after-fork=yes", "--soname-synonyms=somalloc=nouserintercepts",
@@ -140,13 +142,13 @@ def memcheck(program, tests, folder, number):
 
 
 def judge(figures):
-    """Whether tests ran in each program, all passed, and nothing was found."""
+    """Whether each program ran tests, all of them passed, and valgrind found no error."""
     return bool(figures) and all(f["run"] > 0 and f["failed"] == "none" and f["errors"] == "none"
                                  for f in figures.values())
 
 
 def check_all(chosen, folder, jobs):
-    """Program -> its figures, the work spread over so many valgrinds at a time."""
+    """Program -> its figures. Runs up to `jobs` valgrinds at the same time."""
     with ThreadPoolExecutor(jobs) as pool:
         started = {}
         for program, tests in chosen.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A part that fails, dies or is missing is never reported as passed."""
+"""A part that fails, crashes or is missing is never reported as passed."""
 import json
 import pathlib
 import sys

@@ -14,8 +14,8 @@
 
 namespace palpate::testing
 {
-/// A number from arbitrary bits, including infinities and NaN. ConsumeFloatingPoint gives only
-/// finite ones.
+/// Makes a number from arbitrary bits, including infinities and NaN. ConsumeFloatingPoint gives
+/// only finite numbers.
 template <class Number, class Bits>
 Number anyBits(FuzzedDataProvider& input)
 {
@@ -26,7 +26,8 @@ Number anyBits(FuzzedDataProvider& input)
   return number;
 }
 
-/// A number for the input of tips: mostly of the size of a body, sometimes from 64 arbitrary bits.
+/// Makes a coordinate of a tip: usually within the size of a body, sometimes from 64 arbitrary
+/// bits.
 inline double anyNumber(FuzzedDataProvider& input)
 {
   return input.ConsumeIntegralInRange<int>(0, 15) > 0
@@ -35,7 +36,7 @@ inline double anyNumber(FuzzedDataProvider& input)
 }
 
 /// Moves tips through a body, with every force form, surface and friction. Each contact must be
-/// finite with a triangle of the input, or there is no contact.
+/// finite and have a triangle of the input, or there is no contact.
 inline void feelAround(const ContactBody& body, std::size_t triangles, FuzzedDataProvider& input)
 {
   ContactSettings settings;

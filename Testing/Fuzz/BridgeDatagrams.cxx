@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program at the bridge's other end that sends anything. The samples of the device are invalid,
-// or finite and no older than the time-out. No force is sent to a program that has not described
-// itself. Input: chunks; the first byte of each selects the event, see step().
+// A program at the other end of the bridge that sends arbitrary data. The samples of the device are
+// either invalid, or finite and not older than the time-out. No force is sent to a program that has
+// not described itself. Input: chunks; the first byte of each chunk selects the event, see step().
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
 #include "Require.h"
@@ -45,11 +45,13 @@ public:
     require(this->Device != nullptr, "an honest program is a device");
   }
 
-  /// Restores the initial state: described and alive, with a new program at the other end.
+  /// Restores the initial state: a described and connected device, with a new program at the other
+  /// end.
   void begin()
   {
     this->Time += 1.0;
-    this->Device->read(this->Time); // after a long silence it is lost and is greeted again
+    // After a long silence the device is lost and receives a greeting again.
+    this->Device->read(this->Time);
     this->serve(described());
     this->Device->read(this->Time);
   }
@@ -91,7 +93,8 @@ public:
   }
 
 private:
-  /// Answers greetings; true if there was one. Received forces must be within the limits.
+  /// Answers greetings. Returns true if there was a greeting. Received forces must be within the
+  /// limits.
   bool serve(const DescriptionReport& description)
   {
     HapticReportBytes bytes{};
@@ -148,7 +151,7 @@ private:
   double Time = 0.0;
   double NewsAt = -1.0;
   std::uint32_t Sequence = 0;
-  bool Sound = false; ///< true once a sound report has been sent
+  bool Sound = false; ///< true once a valid report has been sent
 };
 } // namespace
 

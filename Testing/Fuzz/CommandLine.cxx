@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any words as the viewer's command line: the program ends with a reason, or continues with options
-// that it can use. Input: the words, one per line. Files and devices are named, not opened.
+// Arbitrary words as the viewer's command line. The program ends with a reason, or continues with
+// options that it can use. Input: the words, one per line. Files and devices are named but not
+// opened.
 #include "Contact/SettingTable.h"
 #include "Transports/Bridge/BridgeSocket.h"
 #include "Haptics/Simulation/SimulatedPlant.h"
@@ -50,7 +51,7 @@ std::vector<std::string> wordsOf(const std::uint8_t* data, std::size_t size)
   std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
   for (std::string line; std::getline(stream, line) && words.size() < 40;)
   {
-    words.emplace_back(line.c_str()); // a word ends at its first zero
+    words.emplace_back(line.c_str()); // a word ends at its first zero byte
   }
   return words;
 }
@@ -141,7 +142,7 @@ void checkTrial(const ViewerOptions& options)
   require(count == 0 || !(options.compare || options.map), "one view at a time");
 }
 
-/// Opens a test socket for a valid address; sends nothing.
+/// Opens a test socket for a valid address. Sends nothing.
 void checkBridge(const std::string& device)
 {
   const std::string kind = "bridge:";

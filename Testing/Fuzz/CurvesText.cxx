@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as a file of measured curves: an error that names a line, or curves that are finite, in
-// the order of time, and can be split into loadings.
+// Arbitrary text as a file of measured curves. The result is an error that names a line, or curves
+// that are finite, in the order of time, and can be split into loadings.
 #include "Identification/CurvePreparation.h"
 #include "Identification/CurvesFile.h"
 #include "Require.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a body file, also with a correct checksum: rejected with a reason, or a body on
-// which a tick can run. Input: a choice (bit 0: correct the checksum), the file, and from its end
-// on tips.
+// Arbitrary bytes as a body file, also with a correct checksum. The file is rejected with a reason,
+// or gives a body on which a tick can run. Input: a choice (bit 0: correct the checksum), the file,
+// and tips, which are read from the end.
 #include "AnyTips.h"
 #include "Contact/FlatBodyFile.h"
 #include "MemoryFile.h"
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 namespace
 {
 constexpr std::size_t HeaderSizes[] = { 408, 416, 456, 560, 616 };
-constexpr std::size_t SizeAt = 16; // offsets of the header's numbers, see FlatBodyHeader.h
+constexpr std::size_t SizeAt = 16; // offset of the file size in the header, see FlatBodyHeader.h
 constexpr std::size_t ChecksumAt = 24;
 constexpr std::size_t CountsAt = 32;
 constexpr std::size_t OffsetsAt = 64;
@@ -51,8 +51,8 @@ void add(
   }
 }
 
-/// Corrects size and checksum, so that the file is read. A file whose sections do not fit stays as
-/// it is, since the reader rejects it for that reason.
+/// Corrects size and checksum, so that the file is read. Does not change a file whose sections do
+/// not fit, because the reader rejects it for that reason.
 void mend(std::vector<std::uint8_t>& bytes)
 {
   const std::uint64_t size = bytes.size();

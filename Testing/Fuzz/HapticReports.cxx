@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any 64 bytes from a device: rejected, or complete and finite. Input: a choice (bit 0: correct
-// mark, version and checksum, so that the content is reached), a report.
+// Arbitrary 64 bytes from a device. The report is rejected, or complete and finite. Input: a choice
+// (bit 0: correct mark, version and checksum, so that the content is reached), and a report.
 #include "Transports/Hid/HapticReport.h"
 #include "Require.h"
 #include "Transports/Hid/SpaceMouseReport.h"
@@ -14,10 +14,10 @@ using palpate::testing::require;
 
 namespace
 {
-/// Removes the orientation, which packing may change.
+/// Removes the orientation, because packing may change it.
 void forgetTurn(StateReport& report)
 {
-  // If two components are equal to rounding, either one may be the component that is left out.
+  // If two components are equal to rounding, either of them may be omitted.
   report.orientation = orientationNotTold();
 }
 
@@ -26,7 +26,7 @@ void forgetTurn(Report&)
 {
 }
 
-/// Checks that a parsed report keeps its bytes when it is packed again.
+/// Checks that a parsed report has the same bytes when it is packed again.
 template <class Report>
 void parseAndPack(const std::uint8_t* bytes, std::size_t size)
 {
@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     return 0;
   }
-  // A copy of exactly this size, so that the address sanitizer detects a read beyond its end.
+  // A copy of exactly this size lets the address sanitizer detect a read beyond its end.
   std::vector<std::uint8_t> bytes(data + 1, data + size);
   if ((data[0] & 1U) != 0 && bytes.size() >= HapticReportSize)
   {

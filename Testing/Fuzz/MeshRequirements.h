@@ -12,8 +12,8 @@
 
 namespace palpate::testing
 {
-/// Checks a mesh from a file: with a fault it must be empty, else each corner must be a valid
-/// point.
+/// Checks a mesh from a file. A mesh with a fault must be empty. Otherwise each corner must be a
+/// valid point.
 inline void requireWhole(const FileMesh& mesh)
 {
   if (!mesh.fault.empty())

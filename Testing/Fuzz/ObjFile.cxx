@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as an .obj file: an error that names a line, or polygons of existing points.
+// Arbitrary text as an .obj file: gives an error that names a line, or polygons of existing points.
 #include "Contact/MeshFiles/ObjFile.h"
 #include "MeshRequirements.h"
 

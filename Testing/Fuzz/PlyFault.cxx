@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as a .ply file: checked in bounded time and memory; a file without a header is
+// Arbitrary bytes as a .ply file: checked in bounded time and memory. A file without a header is
 // rejected.
 #include "Contact/MeshFiles/PlyFault.h"
 #include "Require.h"

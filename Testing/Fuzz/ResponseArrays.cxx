@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays with anything in them, on a sound body: the tick's forces are finite.
-// Input: numbers of samples and laws, arrays of floats (any bits), tips.
+// Response arrays with arbitrary values on a valid body: the tick's forces are finite. Input:
+// numbers of samples and laws, arrays of floats (any bits), tips.
 #include "AnyTips.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"

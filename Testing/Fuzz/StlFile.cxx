@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as an .stl file, ASCII or binary: an error, or triangles of existing points.
+// Arbitrary bytes as an .stl file, ASCII or binary: gives an error, or triangles of existing
+// points.
 #include "Contact/MeshFiles/StlFile.h"
 #include "MeshRequirements.h"
 

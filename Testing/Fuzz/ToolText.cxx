@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as a tool, and as the file of a profile: an error, or a tool with finite forces whose
-// written form reads back as the same tool. Input: the first byte: 0 a specification, else a
-// profile file; then the text.
+// Arbitrary text as a tool, and as the file of a profile. The result is an error, or a tool with
+// finite forces whose written form gives the same tool when it is read. Input: the first byte is 0
+// for a specification, otherwise the input is a profile file; then follows the text.
 #include "MemoryFile.h"
 #include "Mechanics/Tools/ProfileFile.h"
 #include "Require.h"

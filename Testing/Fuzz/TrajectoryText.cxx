@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as a trajectory or recording: an error that names a line, or rows that are finite and in
-// the order of time, that keep their bits when written and read again, and that can be replayed.
+// Arbitrary text as a trajectory or recording. The result is an error that names a line, or rows
+// that are finite and in the order of time. The rows are bitwise unchanged after writing and
+// reading, and can be replayed.
 #include "MemoryFile.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Require.h"

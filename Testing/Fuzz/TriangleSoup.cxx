@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any triangles as a body. The body is built and its defects are counted. In a tick on it,
-// enumeration finds no triangle nearer than the reported one, and every force is finite. Input:
-// numbers of points and triangles, coordinates, indices (also invalid ones), tips.
+// Arbitrary triangles as a body. The body is built and its defects are counted. In a tick on this
+// body, an enumeration finds no triangle nearer than the reported triangle, and every force is
+// finite. Input: numbers of points and triangles, coordinates, indices (also invalid indices),
+// tips.
 #include "AnyTips.h"
 #include "SampleBodies.h"
 #include "SampleResponses.h"
@@ -17,7 +18,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Smallest distance by enumeration of the triangles that take part.
+/// Returns the smallest distance, by enumeration of the triangles that the kernel uses.
 double smallestDistance(const PackedMesh& mesh, const Vector3& tip)
 {
   double smallest = std::numeric_limits<double>::infinity();
@@ -81,8 +82,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (reaches && !body.tree.isBeyondHorizon(body.surface.toLocal(tip)))
   {
     const double smallest = smallestDistance(body.surface, body.surface.toLocal(tip));
-    // Both are computed in double from the same coordinates, which are at most as large as the
-    // body.
+    // Both distances are computed in double from the same coordinates, which are at most as large
+    // as the body.
     require(
       std::abs(closest.signedDistance) <= smallest * (1.0 + 1e-9) + 1e-12 * sizeOf(body.surface),
       "no triangle is closer than the closest");

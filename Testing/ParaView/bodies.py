@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body in any form has the same responses as its plain triangles: strips, polygons, blocks, partitions,
-volumes. The plain triangles come from ParaView's own filters and vtkToolContactResponse itself."""
+"""A body in any form (strips, polygons, blocks, partitions, volumes) has the same responses as its plain triangles. The
+plain triangles come from ParaView's own filters, and their responses from vtkToolContactResponse."""
 import numpy as np
 import palpate
 from paraview import servermanager, simple
@@ -13,7 +13,7 @@ PLACES = 4                                                  # decimals of mm by 
 
 
 def stiffened(source):
-    """With a modulus per point that differs everywhere, so that a point in another's place would be noticed."""
+    """Adds a modulus that differs at every point, so that interchanged points are detected."""
     return simple.Calculator(Input=source, ResultArrayName="Stiff",
                              Function="0.05 + 0.001 * abs(coordsX + 0.37 * coordsY + 0.11 * coordsZ)")
 
@@ -41,7 +41,7 @@ def in_paraview(source):
 
 
 def of_plain(source):
-    """By the class itself, of triangles."""
+    """Computes the response with the class itself, from triangles."""
     tool = palpate.vtkContactTool()
     tool.SetShapeToCone()
     response = palpate.vtkToolContactResponse()
@@ -68,7 +68,7 @@ def check(source, plain, name):
 
 
 def plain_surface(volume):
-    """Its outer triangles as ParaView has them, each point once."""
+    """The outer triangles of a volume, made by ParaView's filters; each point occurs once."""
     return simple.Triangulate(Input=simple.Clean(Input=simple.ExtractSurface(Input=volume)))
 
 
@@ -79,7 +79,7 @@ def given(data):
 
 
 def halves(source):
-    """A data set in two partitions, cell by cell in turn, each with its own points."""
+    """A data set in two partitions. The cells alternate between the partitions; each partition has its own points."""
     data = servermanager.Fetch(source)
     parts = vtkPartitionedDataSet()
     for part in range(2):

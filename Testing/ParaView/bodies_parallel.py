@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bodies of every kind in pieces on several processes have the surface of the whole body, without walls at the seams.
-Runs under mpiexec. The expected values are known: areas, numbers of triangles, the force of one law times the area."""
+Runs under mpiexec. The expected values are known: areas, numbers of triangles, and the force of one law times the
+area."""
 import numpy as np
 import palpate
 import raw_xml
@@ -16,7 +17,7 @@ SPHERE_TRIANGLES = 2 * 40 * (40 - 2)
 
 
 def sphere_area(radius):
-    """Of its facets: a band between two of the 40 rings of polygons, summed."""
+    """Area of the sphere's facets: the sum over the bands between neighbouring rings of polygons (40 rings)."""
     polar = np.pi * np.arange(40) / 39
     z, r = radius * np.cos(polar), radius * np.sin(polar)
     half = np.pi / 40
@@ -39,7 +40,8 @@ def check(name, source, area, triangles, **settings):
         total = sums.GetCellData().GetArray("Area").GetTuple1(0)
         np.testing.assert_allclose(total, area, rtol=1e-6, err_msg=name)    # coordinates are floats
         whole = sums.GetPointData().GetArray("ResponseForce").GetTuple(0)[-1]
-        np.testing.assert_allclose(whole, force * area, rtol=2e-6, err_msg=name) # a force at every point; floats
+        # The same force at every point; float rounding.
+        np.testing.assert_allclose(whole, force * area, rtol=2e-6, err_msg=name)
     return response
 
 
@@ -52,7 +54,7 @@ check("without ghosts", simple.RedistributeDataSet(Input=image), 6 * 20**2, 2 * 
 check("blocks", simple.GroupDatasets(Input=[simple.Sphere(Radius=20, Center=(60, 0, 0), **SPHERE), image]),
       sphere_area(20) + 6 * 20**2, SPHERE_TRIANGLES + 2 * 6 * 20**2)
 
-# Mirrored, without normals: the whole body is inside out, which no single piece can detect.
+# Mirrored and without normals: the whole body is inside out, which no single piece can detect.
 mirror = simple.Transform(Input=simple.PassArrays(Input=simple.Sphere(Radius=50, **SPHERE)), Transform="Transform")
 mirror.Transform.Scale = [-1, 1, 1]
 mirror.UpdatePipeline()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Charts that open by themselves: curves of selected points, of several responses, forces along a path, and
-measured readings. Each chart is over its first column, shows forces only, and has titles on the axes: charts.py FOLDER
+"""Charts that open automatically: curves of selected points, of several responses, forces along a path, and measured
+readings. The horizontal axis of each chart is its first column. A chart shows only forces, and its axes have titles:
+charts.py FOLDER
 
 Needs an X server for the pictures.
 """
@@ -34,7 +35,8 @@ def names(proxy):
 
 
 def opened(proxy):
-    """Shows the proxy where ParaView would, which must be a line chart; its view and representation."""
+    """Shows the proxy in the view that ParaView chooses, which must be a line chart. Returns the view and the
+    representation."""
     proxy.UpdatePipeline()
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     made = controller.ShowInPreferredView(proxy.SMProxy, 0, None)
@@ -52,7 +54,7 @@ def chart_of(view):
 
 
 def visible(shown):
-    """The series that are drawn."""
+    """The names of the series that are drawn."""
     return set(shown.SeriesVisibility)
 
 
@@ -63,7 +65,7 @@ def check_axes(view, bottom, left="Force (N)"):
 
 
 def check_span(view, bottom, top):
-    """The axes of the chart hold just about these values."""
+    """Checks the ranges of both axes, except for rounding at their ends."""
     chart = chart_of(view)
     for axis, (low, high) in ((1, bottom), (0, top)):
         found = [chart.GetAxis(axis).GetMinimum(), chart.GetAxis(axis).GetMaximum()]
@@ -72,7 +74,8 @@ def check_span(view, bottom, top):
 
 
 def picture(view, name):
-    """Has lines of more colours than the axes', which are black, and of the paper."""
+    """Saves a picture and checks that it has other colours than those of the axes, which are black, and of the
+    background."""
     file = os.path.join(FOLDER, name)
     simple.SaveScreenshot(file, view)
     reader = vtkPNGReader()
@@ -89,7 +92,7 @@ def hertz(depth, modulus=REDUCED, radius=6.35):
 
 def body_with_responses():
     ball = simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60)
-    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0, "WholeBody": 0}    # closed forms without bands
+    plain = {"CurvatureCorrection": 0, "ErrorTolerance": 0, "WholeBody": 0}    # closed forms, without error bands
     first = simple.ToolContactResponse(Input=ball, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, **plain)
     first.Tool.Shape, first.Tool.Radiusmm = "Paraboloid", 6.35
     both = simple.ToolContactResponse(Input=first, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, ResponseName="Flat",
@@ -100,7 +103,7 @@ def body_with_responses():
 
 
 def check_selected(body):
-    """What is selected on the body is what the filter starts with; other kinds come as other sources."""
+    """The filter starts with the selected points of the body. Other kinds of selection come from other sources."""
     body.SMProxy.SetSelectionInput(0, simple.IDSelectionSource(
         FieldType="POINT", IDs=[-1, 7, -1, 3]).SMProxy, 0)
     curves = simple.ResponseCurves(Input=body)
@@ -131,7 +134,7 @@ def check_selected(body):
 
 
 def check_several(body, curves, view):
-    """Several responses on one chart, whose new columns are shown by themselves; a title that is set stays."""
+    """Several responses on one chart. Their columns are shown automatically; a title set by the user is kept."""
     curves.Selection = None
     curves.PointIds = [5]
     curves.MoreResponseNames = ["Flat"]
@@ -153,7 +156,7 @@ def check_several(body, curves, view):
 
 
 def check_band():
-    """What a force may be by its error: thin lines of its own colour, beside it and not in the legend."""
+    """The error of a force is shown by two thin lines in the colour of the force, without entries in the legend."""
     body = simple.ToolContactResponse(Input=simple.Sphere(Radius=50, ThetaResolution=60, PhiResolution=60), WholeBody=0)
     curves = simple.ResponseCurves(Input=body, PointIds=[70])
     force = "Response at point 70"
@@ -179,7 +182,7 @@ def check_band():
 
 
 def check_history(body):
-    """Along a line into the ball: over deflection, since no time is known; over time where it is."""
+    """Along a line into the ball: the horizontal axis is the deflection if there are no times, otherwise the time."""
     way = simple.Line(Point1=(53, 0, 5), Point2=(48, 0, 5), Resolution=50)
     probe = simple.ToolContactProbe(Body=body, Tips=way)
     history = simple.ContactHistory(Tips=probe)
@@ -206,7 +209,7 @@ def check_history(body):
 
 
 def check_loop():
-    """A slab of liver pressed at 1 mm/s, probed in its times: the loop over deflection, memory over time."""
+    """A slab of liver pressed at 1 mm/s and probed at these times: force loop over deflection, memory over time."""
     slab = simple.Triangulate(Input=simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0)))
     response = simple.ToolContactResponse(Input=slab, YoungsModulusMPa=0.01, PoissonsRatio=0.5, LayerThicknessmm=10,
                                           MaximumDeflectionmm=5, NumberOfSamples=16, Relaxations=[0.5, 0.5, 0.5, 10])
@@ -236,7 +239,7 @@ def check_loop():
 
 
 def check_measured():
-    """Readings as points beside the lines of the identified bodies."""
+    """Readings are shown as points, the curves of the identified bodies as lines."""
     file = os.path.join(FOLDER, "charted.csv")
     rng = np.random.default_rng(1)
     with open(file, "w", encoding="utf-8") as csv:

@@ -19,8 +19,8 @@ for old in (picture, state):
         os.remove(old)
 
 play(program, events, folder)
-colours = pixels(picture)                                   # of the active view: the chart
-assert (colours.max(axis=1) - colours.min(axis=1) > 60).sum() > 200 # lines of colour on white
+colours = pixels(picture)                                   # of the active view, which is the chart
+assert (colours.max(axis=1) - colours.min(axis=1) > 60).sum() > 200 # coloured lines on white
 assert (colours.min(axis=1) > 240).mean() > 0.7
 
 simple.LoadState(state)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Catches the messages of ParaView while it updates a proxy; they go to the standard error of the process."""
+"""Catches the messages that ParaView writes to the standard error of the process while it updates a proxy."""
 import os
 import sys
 import tempfile

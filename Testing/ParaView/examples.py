@@ -25,7 +25,7 @@ def run(name, *arguments):
     assert text.startswith("# SPDX-License-Identifier: BSD-3-Clause\n"), name
     assert len(text.splitlines()) <= 80, name
     begun = [node.lineno for node in ast.walk(ast.parse(text)) if isinstance(node, ast.stmt)]
-    assert len(begun) == len(set(begun)) and max(map(len, text.splitlines())) <= 120, name # one statement a line
+    assert len(begun) == len(set(begun)) and max(map(len, text.splitlines())) <= 120, name # one statement per line
     said = re.search(r"\./run (\w+) Plugin/Python/examples/" + name, text)
     assert said, name + " does not say how to run it"
     done = subprocess.run([INTERPRETERS[said[1]], str(script), *map(str, arguments)], cwd=OUTPUT, text=True,
@@ -44,8 +44,8 @@ def close(found, expected, tolerance):
 
 
 def sphere(radius, depth, reduced, ball=math.inf):
-    """Sneddon 1965: depth and force by the contact radius a, which is found by bisection. On a ball its sag a^2/R_b, and
-    that of a paraboloid of its radius (Hertz), are added."""
+    """Sneddon 1965: depth and force as functions of the contact radius a, which is found by bisection. On a ball of
+    radius R_b, its sag a^2/R_b and the sag of a paraboloid of this radius (Hertz) are added."""
     low, high = 0.0, radius
     for _ in range(100):
         a = (low + high) / 2
@@ -106,12 +106,12 @@ def probe_trajectory():
         *tip, depth, x, y, z = numbers(line)
         close(depth, 50 - math.hypot(*tip), 0.015)          # facets are up to 7 micrometres deep; 2 decimals
         close(math.hypot(x, y, z), sphere(6.35, depth, reduced, 50), 2e-3)
-        for along, direction in zip((x, y, z), tip):        # outwards, except for the tilt of the facets
+        for along, direction in zip((x, y, z), tip):        # outward, except for the tilt of the facets
             close(along / math.hypot(x, y, z), direction / math.hypot(*tip), 0.02)
 
 
 def friction_loop():
-    limit = 0.5 * sphere(5, 1, 0.1 / (1 - 0.45**2))         # of friction, N
+    limit = 0.5 * sphere(5, 1, 0.1 / (1 - 0.45**2))         # limit of friction, N
     lines = run("friction_loop.py")
     assert len(lines) == 41
     states = [line.split()[-1] for line in lines]
@@ -154,7 +154,7 @@ def deflection_picture():
     row = [grey.GetComponent(300 * 600 + x, 0) for x in range(600)] # through the middle of the ball
     ball = [x for x in range(600) if row[x] > 0]
     assert 250 < len(ball) < 500, len(ball)
-    right = [row[x] for x in ball if x > 300]               # it darkens outwards, except at the dent
+    right = [row[x] for x in ball if x > 300]               # the ball gets darker outward, except at the dent
     assert any(later > earlier + 10 for earlier, later in zip(right, right[4:]))
 
 
@@ -180,8 +180,9 @@ def in_paraview():
 
 
 def in_series(local, compliance, depth):
-    """The force at which a local law and a compliance share the depth, by bisection."""
-    low, high = 0.0, depth / compliance if compliance > 0 else 10 * depth # N; the law catches up beyond any C < 0
+    """The force at which the local law and the compliance together give the depth, by bisection."""
+    # N; for any C < 0 the law exceeds the line at a larger depth
+    low, high = 0.0, depth / compliance if compliance > 0 else 10 * depth
     for _ in range(200):
         force = (low + high) / 2
         low, high = (force, high) if force < local(max(depth - compliance * force, 0)) else (low, force)
@@ -201,8 +202,9 @@ def compare_global_local():
         for law, force in zip(laws, forces):
             close(force, in_series(law, compliances[name], 1), 2e-3 * force) # eight samples, five decimals
         close(apart[name], 100 * (max(forces) / min(forces) - 1), 0.06)
-    # A beam clamped at both ends, L^3/(192 E I), with shear, L/(4 k G A): 48 by 12 by 4 mm. Since
-    # it is held across its width it bends between a beam and a plate, whose E is E/(1 - nu^2).
+    # A beam clamped at both ends, L^3/(192 E I), with shear, L/(4 k G A): 48 by 12 by 4 mm. Because
+    # it is held across its width, its stiffness is between that of a beam and that of a plate, for
+    # which E is replaced by E/(1 - nu^2).
     bends, shears = 48**3 / (192 * 12 * 4**3 / 12), 48 / (4 * 5 / 6 * (1 / 2.9) * 48)
     assert bends / reduced + shears < compliances["strip"] < bends + shears, compliances
     assert abs(compliances["block"]) < 0.05 * compliances["strip"]
@@ -221,7 +223,7 @@ def measured_curves():
 
 
 def grip():
-    # E* = 1/(1 - 0.45^2), a ball of 3 mm, 0.5 mm deep. Its neighbour at the distance r lowers the
+    # E* = 1/(1 - 0.45^2), a ball of 3 mm, 0.5 mm deep. Another tip at the distance r lowers the
     # surface by F/(pi E* r).
     pinch, *pairs = run("grip.py", OUTPUT / "grip.png")
     reduced = 1 / (1 - 0.45**2)
@@ -233,10 +235,12 @@ def grip():
         close(alone, dent, 2e-3)                           # eight samples, three decimals
         close(together, in_series(lambda d: sphere(3, d, reduced), 1 / (math.pi * reduced * apart), 0.5), 2e-3)
         close(less, 100 * (together / alone - 1), 0.15)    # from rounded forces
-    # A single finger bends the strip, 12 mm from its support and 12 by 6 mm, between a beam and a
-    # plate, whose E is E/(1 - nu^2). Tolerance for the error of voxels of 1.5 mm and for the dent
-    # in 6 mm: 10 %. A pinched strip does not bend: only the dent is left. It is stiffer by at most
-    # about 35 %, as in a layer of half the thickness that slips on its middle.
+    # A single finger bends the strip, 12 mm from its support and 12 by 6 mm. Its stiffness is
+    # between that of a beam and that of a plate, for which E is replaced by E/(1 - nu^2). Tolerance
+    # for the error of voxels of 1.5 mm and for the dent in a thickness of 6 mm: 10 %. A strip
+    # pinched by two fingers does not bend, so only the dent remains. The dent is stiffer than on a
+    # half-space by at most about 35 %, as on a layer of half the thickness that slips at the middle
+    # plane.
     together, alone, _ = numbers(pinch)
     bends, shears = 12**3 / (3 * 12 * 6**3 / 12), 12 / (5 / 6 * (1 / 2.9) * 72)
     soft, hard = (in_series(lambda d: sphere(3, d, reduced), c, 0.5)
@@ -248,8 +252,9 @@ def grip():
 
 def tilted_punch():
     # The whole end is in contact at 2.5 degrees: F = 2 a E* (D - a sin), M = 4/3 E* a^3 sin cos;
-    # four decimals. From 5 degrees on the reference is another code's boundary elements: 1.7 %, the
-    # effect of the wall that the law of the rim leaves out.
+    # four decimals. From 5 degrees on, the reference is a boundary-element solution by another
+    # code. The difference of 1.7 % is the effect of the punch's wall, which the law of the rim
+    # ignores.
     upright, *lines = run("tilted_punch.py", OUTPUT / "tilted_punch.png")
     close(*numbers(upright), 0.4, 1e-4)
     rows = [numbers(line) for line in lines]
@@ -266,8 +271,8 @@ def tilted_punch():
 
 def feel_a_nodule():
     # Axisymmetric finite elements of a wider body, Data/Reference/shape/nodule_forces.csv (0.4 mm
-    # deep, between its rows). With cells of half the ball's depth and a block of 20 mm the
-    # tolerance is a tenth of the change plus 2 %.
+    # deep, interpolated between its rows). For cells of half the ball's depth and a block of 20 mm,
+    # the tolerance is a tenth of the change plus 2 %.
     for line, tool, change in zip(run("feel_a_nodule.py"), ("flat:1.6", "sphere:1.6", "sphere:6.35"), (26.6, 18.9, 29.5)):
         assert line.startswith(tool), line
         above, *beside = [float(found) for found in re.findall(r"[+-]\d+(?= %)", line)]
@@ -276,27 +281,29 @@ def feel_a_nodule():
 
 
 def press_a_horn():
-    # The sphere on the ball that forms the back. The mesh gives its curvature to some per cent. A
-    # horn is as long as it is thick at its root: its deflection as a beam is added and exceeds the
-    # dent. At its tip this deflection is 9.7 mm/N in addition to the dent, from plain elements of
-    # 0.3 to 3 mm under Hertz's pressure of 1 to 1.5 mm; with a dent on 8 mm or on a plane the force
-    # is 0.097 to 0.101 N. A turn of the normal changes that by 3 % per degree.
+    # The back is a ball; the expected force there is that of the sphere on this ball. The mesh
+    # gives its curvature to some per cent. A horn is as long as it is thick at its root. Its
+    # deflection as a beam is added to the dent and exceeds it. At the tip this deflection is 9.7
+    # mm/N, computed with elements of 0.3 to 3 mm under Hertz's pressure of 1 to 1.5 mm radius. With
+    # the dent of a body of 8 mm radius or of a plane the force is 0.097 to 0.101 N. A turn of the
+    # normal changes the deflection by 3 % per degree.
     back, root, tip = [numbers(line) for line in run("press_a_horn.py", OUTPUT / "horn.png")]
     on_ball = sphere(3, 0.99 * 1.5, 0.1 / (1 - 0.45**2), 25)
     close(back[1], on_ball, 0.05 * on_ball)
-    close(back[0], on_ball, 0.15 * on_ball)  # global deflection of the ball, 0.46 a/R_b, and of its bottom
+    close(back[0], on_ball, 0.15 * on_ball)  # includes the global deflection of the ball, 0.46 a/R_b, and of its bottom
     close(tip[0], 0.099, 0.12 * 0.099)
     assert back[0] < back[1] and root[0] < 0.5 * root[1] and tip[0] < 0.8 * root[0], (back, root, tip)
     assert (OUTPUT / "horn.png").stat().st_size > 20000
 
 
 def head_of_tissues():
-    # Bone is a hundred times stiffer than the layer and curved. The law of a layer on a rigid base
-    # is close to the tissues, but ignores both. It also ignores how much of a voxel of 1 mm is skin
-    # (a tenth of the thickness here, with the same effect on the influence of the base).
+    # Bone is a hundred times stiffer than the layer, and curved. The law of a layer on a rigid base
+    # is close to the force on the tissues, but ignores both facts. The law also ignores which
+    # fraction of a voxel of 1 mm is skin (here a tenth of the thickness, with the same relative
+    # effect on the influence of the base).
     (thickness, tissues, layer, skin), = [numbers(line) for line in run("head_of_tissues.py")]
     assert 8 <= thickness <= 13, thickness                 # forehead of Colin 27
-    close(skin, sphere(6.35, 0.8, 0.035 / (1 - 0.49**2)), 0.1 * skin) # the forehead is curved by 1/80 mm or less
+    close(skin, sphere(6.35, 0.8, 0.035 / (1 - 0.49**2)), 0.1 * skin) # the curvature of the forehead is at most 1/80 mm
     close(tissues, layer, 0.2 * layer)
     assert tissues > 1.2 * skin, (tissues, skin)
 

@@ -19,13 +19,13 @@ for old in (picture, state):
 
 play(program, events, folder)
 colours = pixels(picture)
-ball = (colours[:, 0] > colours[:, 2] + 40).mean() # red, for normals towards the viewer
+ball = (colours[:, 0] > colours[:, 2] + 40).mean() # normals towards the viewer are red
 assert 0.05 < ball < 0.5, ball
 
 simple.LoadState(state)
 response = simple.FindSource("ToolContactResponse1")
 assert response.Tool.Shape == "Cone" and response.Tool.HalfAngledegrees == 20
-response.CurvatureCorrection = 0                            # the cone's own law
+response.CurvatureCorrection = 0                            # uncorrected law of the cone
 force = vtk_to_numpy(servermanager.Fetch(response).GetPointData().GetArray("ResponseForce"))
 cone = 2 / np.pi * np.tan(np.radians(20)) * 0.1 / (1 - 0.45**2) * 3**2
 np.testing.assert_allclose(force[:, -1], cone, rtol=1e-6)    # float rounding

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The compiled help contains a page for every proxy, every page of the plugin, and all that these pages show or link to. Its
-contents start with the six clicks and list each page once:
-
+"""The compiled help contains a page for every proxy, every page of the plugin, and every file that these pages show or
+link to. Its contents start with the six clicks and list each page once:
     help.py PALPATE.QCH SOURCE_OF_THE_PLUGIN PICTURES
 """
 import re
@@ -40,13 +39,14 @@ assert shown, "no page has a picture"
 for picture in shown:
     assert (pictures / picture).read_bytes()[:4] == b"\x89PNG", picture
 
-# The table of contents, as it was given to the compiler of the help.
+# The table of contents that the compiler of the help has read.
 project = xml.etree.ElementTree.parse(collection.with_suffix(".qhp"))
 sections = list(project.iter("section"))
 listed = [section.get("ref") for section in sections]
 assert listed[0] == "palpate.html" and "six clicks" in sections[0].get("title"), listed[0]
 assert len(set(listed)) == len(listed), [page for page in listed if listed.count(page) > 1]
-written = {name for name in held if name.endswith(".html") and name != "Readers.html"}  # an index of the readers, unused
+# Readers.html is an unused index of the readers
+written = {name for name in held if name.endswith(".html") and name != "Readers.html"}
 assert set(listed) == written, set(listed) ^ written
 titles = [section.get("title") for section in sections]
 assert len(set(titles)) == len(titles), titles

@@ -28,7 +28,7 @@ if not os.environ.get("DISPLAY"):
     sys.exit(77)
 STATE, FORCE, DESCRIPTION, HELLO = 1, 2, 3, 4
 RATE = 500.0        # states per second
-DEEP = 11.5e-3      # m, of the hand below its origin, which is 10 mm above the surface
+DEEP = 11.5e-3      # m, how far the hand moves below its origin, which is 10 mm above the surface
 REDUCED = 0.1 / (1 - 0.45**2)  # MPa, the default material
 
 
@@ -39,7 +39,7 @@ def report(kind, flags, content):
 
 
 class Hand(threading.Thread):
-    """A device that goes 1.5 mm into the body, against the normal at the handle's first place."""
+    """A device that moves 1.5 mm into the body, against the surface normal at the handle's initial position."""
 
     def __init__(self):
         super().__init__(daemon=True)
@@ -52,9 +52,9 @@ class Hand(threading.Thread):
 
     def run(self):
         host, begin, sequence = None, None, 0
-        # The view looks along -z, and up is y: device and body have the same axes. The handle
-        # begins where a touch begins. Perspective changes that by up to 5 degrees, which reduces
-        # the depth by 0.05 mm.
+        # The view looks along -z, and up is y, so device and body have the same axes. The handle
+        # begins at the initial position of a touch. Perspective changes the direction by up to 5
+        # degrees, which reduces the depth by 0.05 mm.
         start = [0.0, 0.0, 0.0]
         assert palpate.vtkToolTouch.FindStart(read_body(), "Response", (0, 0, 1), (0, 1, 0), start)
         inward = -np.array(start) / np.linalg.norm(start)
@@ -81,7 +81,7 @@ class Hand(threading.Thread):
 
 
 def play(name, hand=None, *options):
-    """Plays name.xml; returns when the program had ended."""
+    """Plays name.xml. Returns the time at which the program had ended."""
     with open(f"{events}/{name}.xml", encoding="utf-8") as file:
         text = file.read().replace("@DEVICE@", hand.name if hand else "")
     script = f"{folder}/{name}.xml"
@@ -120,30 +120,31 @@ def read(name):
 def press():
     # Expected numbers of LivePress.xml: a flat punch of 5 mm has F = 2 E* R d.
     for text, modulus, deep in (("1.254", 1.0, 1.0), ("0.627", 0.5, 1.0), ("0.313", 0.5, 0.5)):
-        # The facets of the sphere reduce the depth by 1e-4. The label has three digits.
+        # The facets of the sphere reduce the depth by 1e-4 mm. The label has three digits.
         assert abs(float(text) - 2 * REDUCED * modulus * 5 * deep) < 6e-4
     for old in ("live_touched.png", "live_stopped.png"):
         if os.path.exists(f"{folder}/{old}"):
             os.remove(f"{folder}/{old}")
     play("LivePress")
     colours = {
-        # The arrow of half of the response's largest force is a quarter of the body's 173 mm long.
-        # Its label counts too.
+        # An arrow for half of the response's largest force is a quarter of the body's length, 173
+        # mm. The pixels of its label are included.
         "arrow": (lambda red, green, blue: (red > green + 60) & (red > blue + 80), 100),
         "handle": (lambda red, green, blue: (red > 200) & (green > 180) & (blue < 60), 20),
-        # Behind the tool the warm white of the body looks grey; the background is bluer and darker.
+        # Behind the tool the warm white of the body looks grey. The background is bluer and darker.
         "tool": (lambda red, green, blue: (abs(red - blue) < 6) & (red > 110), 200)}
     touched, stopped = read("live_touched.png"), read("live_stopped.png")
     differs = (touched != stopped).any(axis=0)
     for part, (test, least) in colours.items():
         seen, left = (np.sum(test(*picture) & differs) for picture in (touched, stopped))
         print(part, seen, left)
-        # A few pixels of the body's shaded rim are as grey as the tool.
+        # A few pixels of the body's shaded rim have the same grey as the tool.
         assert seen > least and left <= seen / 50, part
 
 
 def end_in_touch(name, quiet):
-    """A script that ends the touch: the device has felt something, and the last it heard is: off, no force."""
+    """A script that ends the touch. The device has received a force, and its last report contains no force and is not
+    enabled."""
     hand = Hand()
     hand.start()
     ended = play(name, hand)

@@ -58,7 +58,8 @@ def main(folder):
 
 
 def check_table(body, from_file, file):
-    """ParaView's CSV reader takes no comments, so that the tool is named beside it; every bit is as from the file."""
+    """ParaView's CSV reader does not accept comments, so the tool is given as a property. All bits are the same as with
+    the file."""
     with open(file, encoding="utf-8") as curves:
         rows = [line for line in curves if not line.startswith("#")]
     with open(file + ".plain.csv", "w", encoding="utf-8") as plain:
@@ -75,7 +76,7 @@ def check_table(body, from_file, file):
                                       vtk_to_numpy(other.GetPointData().GetArray(name)), name)
     assert servermanager.Fetch(from_table, idx=2).GetNumberOfRows() == 71
 
-    # The same with every column as text, and from the output of a filter on the table.
+    # The same test with every column as text, and with the output of a filter on the table.
     table.DetectNumericColumns = 0
     text = servermanager.Fetch(from_table, idx=0)
     np.testing.assert_array_equal(vtk_to_numpy(text.GetPointData().GetArray("ResponseForce")),

@@ -11,7 +11,7 @@ import sys
 
 
 def update():
-    """In pvbatch: the first error of each filter on a piece of a plane."""
+    """Runs in pvbatch: prints the first error of each filter on a piece of a plane."""
     from palpate import vtkBodySurface, vtkContactRegime, vtkContactTool, vtkToolContactResponse
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
     from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -44,7 +44,8 @@ def update():
 def main(folder, mpiexec, pvbatch, mechanics):
     libraries = os.path.join(folder, "missing_pieces")
     os.makedirs(libraries, exist_ok=True)
-    shutil.copy(mechanics, os.path.join(libraries, os.path.basename(mechanics).rsplit(".", 1)[0]))  # its soname
+    # The library under its soname.
+    shutil.copy(mechanics, os.path.join(libraries, os.path.basename(mechanics).rsplit(".", 1)[0]))
     path = ":".join(filter(None, (libraries, os.environ.get("LD_LIBRARY_PATH"))))
     for ranks in (1, 2):
         done = subprocess.run([mpiexec, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), pvbatch, "--dr", "--sym",

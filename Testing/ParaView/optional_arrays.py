@@ -19,7 +19,7 @@ def indices_set():
 
 
 def modulus():
-    """What the filter took: a flat punch feels 2 a E* depth."""
+    """The modulus that the filter used, from the force on a flat punch, 2 a E* depth."""
     data = servermanager.Fetch(response)
     force = vtk_to_numpy(data.GetPointData().GetArray("ResponseForce"))[:, -1]
     return force / (2 * 5 * 2) * (1 - 0.45**2)

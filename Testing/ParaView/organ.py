@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a body for the walk-through: smooth, closed, of the size of an organ, in mm: organ.py FILE.vtp"""
+"""Makes a body for the walk-through: smooth, closed, of the size of an organ, in mm. Usage: organ.py FILE.vtp"""
 import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -14,7 +14,7 @@ SEMI_AXES = np.array([45.0, 32.0, 24.0])                    # mm
 
 
 def swelling(way):
-    """Of the radius in the directions `way`, unit vectors."""
+    """Relative increase of the radius by the swellings, in the directions `way`, which are unit vectors."""
     return sum(height * np.exp((way @ np.array(to) / np.linalg.norm(to) - 1) / width)
                for height, width, to in ((0.18, 0.15, (1, 0.6, 0.4)), (0.12, 0.1, (-1, -0.5, 0.6))))
 
@@ -36,11 +36,12 @@ def curvatures(place):
     along = np.eye(3) - np.outer(slope, slope) / steepness**2
     bend = np.array([(gradient(x + 1e-2 * e) - gradient(x - 1e-2 * e)) / 2e-2 for e in np.eye(3)])
     found = np.linalg.eigvalsh(along @ (0.5 * (bend + bend.T)) @ along / steepness)
-    return np.delete(found, np.argmin(np.abs(found)))        # there is no curvature along the normal
+    return np.delete(found, np.argmin(np.abs(found)))        # removes the zero curvature along the normal
 
 
 def organ(level=6, size=1.0):
-    """10 · 4^level + 2 points of an ellipsoid with two broad swellings, `size` times SEMI_AXES; outward normals."""
+    """10 · 4^level + 2 points of an ellipsoid with two broad swellings. The semi-axes are `size` times SEMI_AXES; the
+    normals are outward."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
     finer = vtkLinearSubdivisionFilter()

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A body in pieces on several processes gives the same results as on one process: parallel.py FOLDER, under mpiexec.
 
-The serial result comes from the same filters without a controller, on process 0, for any number of processes. Triangles
-and results of a point's own numbers are the same to the bit (ranks.py). All other results are the same to the bit if
-normals are given, and away from seams. Around a seam the normals of triangles are summed in another order. There the
-arrays of the response are equal to a unit in the last place of a float (2e-7 of their largest value); forces and
-displacements follow from these arrays.
+The serial result comes from the same filters without a controller, on process 0, for any number of processes.
+Triangles, and results that depend only on data of the point itself, are bitwise equal (ranks.py). All other results are
+bitwise equal away from seams, and everywhere if normals are given. At a seam the normals of triangles are summed in another
+order. There the arrays of the response agree to a unit in the last place of a float (2e-7 of their largest value);
+forces and displacements follow from these arrays.
 """
 import os
 import sys
@@ -105,7 +105,7 @@ def arrays_of(data):
 
 
 def check_same(pieces, serial, names, tolerance=ULP):
-    """At each point of the pieces, seam points several times, what the serial body has there."""
+    """The values of the serial body at each point of the pieces; points on seams occur several times."""
     assert pieces.GetNumberOfCells() == serial.GetNumberOfCells(), (
         pieces.GetNumberOfCells(), serial.GetNumberOfCells())
     where = {tuple(p): i for i, p in enumerate(np.round(points_of(serial), 5) + 0.0)}
@@ -193,7 +193,8 @@ def tips_from(points, line):
 
 
 def check_probe(response, serial, tips, name, settings=None, tolerance=1e-6):
-    """Forces at tips, in their order, to a part in a million of the largest: float normals."""
+    """Compares forces at tips, in the order of the tips, to a millionth of the largest force, because normals are
+    floats."""
     settings = settings or {}
     probe = simple.ToolContactProbe(Body=response, Tips=simple.XMLPolyDataReader(FileName=[write(tips, name)]),
                                     **settings)
@@ -215,7 +216,7 @@ def check_probe(response, serial, tips, name, settings=None, tolerance=1e-6):
 
 
 def around(depth, count=400, tilt=0.4):
-    """A path around the ball, a depth below its radius of 20: across the pieces of any division."""
+    """A path around the ball, `depth` below its radius of 20 mm; it crosses all pieces of any division."""
     t = np.linspace(0, 2.2 * np.pi, count)
     r = 20 - depth * np.minimum(1, t)
     return np.stack([r * np.cos(t), r * np.sin(t) * np.cos(tilt), r * np.sin(t) * np.sin(tilt)], -1)
@@ -255,7 +256,7 @@ for index, distance in ((200, 0.0), (60, 9.0), (-1, 0.0)):
     check_same(servermanager.Fetch(dent), whole, ("ContactDisplacement",), 1e-6)
     check_integrals(dent, whole, ("ContactDisplacement",))
 
-# Material from arrays: the tables of layers, the exponent and the regime are those of the whole
+# Material from arrays: the tables of layers, the exponent and the regime are computed for the whole
 # body.
 response = simple.ToolContactResponse(Input=pieces, YoungsModulusArrayMPa=["POINTS", "E"],
                                       LayerThicknessArraymm=["POINTS", "Layer"])
@@ -292,8 +293,8 @@ fetched, serial = servermanager.Fetch(response), serial_response(with_normals, i
 ranks.check_bits(fetched, serial, OF_POINTS, OF_NORMALS)
 ranks.check_sums(fetched, serial)
 
-# Through a block: the contact stays on the face where it entered, even if the other face is nearer.
-# So more points must be gathered than those around the tip.
+# Through a block: the contact stays on the face through which the tip entered, even if the other
+# face is nearer. Therefore more points must be gathered than the points around the tip.
 plate = slab()
 response = simple.ToolContactResponse(Input=in_pieces(plate, "slab"), YoungsModulusMPa=0.05, WholeBody=0)
 serial = serial_response(plate)
@@ -318,7 +319,7 @@ for name, tips in (("first", around(2.5, 60)), ("second", around(2.5, 60) + [60,
     probe = simple.ToolContactProbe(
         Body=response, Tips=simple.XMLPolyDataReader(FileName=[write(tips_from(tips, True), name)]))
     forces = arrays_of(servermanager.Fetch(probe))["Force"]
-    # The second ball is moved in float coordinates of 80 mm: an error of 4e-6 mm at a depth of 2.5
-    # mm.
+    # The second ball is moved in float coordinates of 80 mm, which gives an error of 4e-6 mm at a
+    # depth of 2.5 mm.
     assert np.abs(forces - on_one["Force"]).max() <= 1e-5 * np.abs(on_one["Force"]).max(), name
 print("done", PROCESSES)

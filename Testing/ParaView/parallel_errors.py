@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A fault on one process is an error on all processes, and no process hangs: under mpiexec pvbatch --symmetric.
 
-Each process has a slab of its own, so that the body has a seam at x = 0, 20...; the last process makes the fault.
+Each process has its own slab, so that the body has a seam at x = 20, 40...; the fault is on the last process.
 """
 from palpate import (vtkContactDeflection, vtkContactRegime, vtkContactTool, vtkToolContactProbe,
                      vtkToolContactResponse)
@@ -116,7 +116,8 @@ def check_response():
 
 
 def check_late_faults():
-    """A fault that is found after the last exchange between processes, and an abort of one process, are those of all."""
+    """A fault detected after the last exchange between processes, and an abort on one process, are reported on all
+    processes."""
     for automatic in (False, True):
         for body in (piece(), vtkPolyData() if LAST and COUNT > 1 else piece()):
             response = response_of(body)
@@ -170,7 +171,7 @@ def check_probe():
 
 def check_dent():
     body = good_response()
-    # The seam is at x = 20. The depth is that of the tip, on whichever piece.
+    # The seam is at x = 20. The result is the depth at the tip, independent of the piece.
     tips = tips_at((20.5, 0, -1), (19.5, 0, -1), (5, 0, -1)) if RANK == 0 else vtkPolyData()
     probe = probe_of(body, tips)
     expect(probe)
@@ -204,7 +205,7 @@ def check_dent():
 
 
 def check_ghosts():
-    """Ghost triangles of the neighbour change nothing and are not given back."""
+    """Ghost triangles of a neighbouring piece change nothing and are not in the output."""
     body = piece()
     plain = response_of(body)
     expect(plain)
@@ -228,7 +229,7 @@ def check_ghosts():
 
 
 def check_closed():
-    """Two halves of a box inside out: an error on both, which neither could tell alone."""
+    """Two halves of a box that is inside out: an error on both processes, which neither half alone could detect."""
     if COUNT != 2:
         return
     corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]

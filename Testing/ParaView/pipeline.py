@@ -34,7 +34,8 @@ def set_tool(proxy, shape, changing, **sizes):
 
 
 def build(folder, changing=lambda proxy: nullcontext()):
-    """The names of the sources whose numbers count. `changing(proxy)` is a context in which its properties change."""
+    """Returns the names of the sources whose numbers are compared. `changing(proxy)` is a context in which its
+    properties change."""
     way, measured = write_files(folder)
     made = []
 
@@ -74,7 +75,7 @@ def build(folder, changing=lambda proxy: nullcontext()):
 
 
 def numbers(names):
-    """Every number that comes out of the sources at TIME, by source, port and array."""
+    """Every number in the outputs of the sources at TIME, by source, port and array."""
     out = {}
     for name in names:
         source = simple.FindSource(name)

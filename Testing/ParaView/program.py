@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plays a script of events in the ParaView program, and examines its pictures."""
+"""Plays a script of events in the ParaView program, and reads its pictures."""
 import os
 import subprocess
 import sys
@@ -14,7 +14,7 @@ def need_display():
 
 
 def play(program, events, folder, *options):
-    """Its clean settings, $PARAVIEW_TEST_ROOT = folder; it must end well."""
+    """Plays the events with clean settings and $PARAVIEW_TEST_ROOT = folder. The program must end without an error."""
     played = subprocess.run([program, "--dr", *options, "--test-script=" + events, "--test-directory=" + str(folder), "--exit"],
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=800, check=False)
     print(played.stdout)

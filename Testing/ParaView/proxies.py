@@ -137,7 +137,7 @@ def definitions():
 
 
 def check_loaded():
-    """The plugin has loaded by itself on settings that know nothing of it (--dr), from where it was to."""
+    """The plugin has been loaded automatically from its folder, with settings that do not contain it (--dr)."""
     tracker = vtkPVPluginTracker.GetInstance()
     mine = [i for i in range(tracker.GetNumberOfPlugins()) if tracker.GetPluginName(i) == "Palpate"]
     assert len(mine) == 1 and tracker.GetPluginLoaded(mine[0]), mine
@@ -145,7 +145,8 @@ def check_loaded():
 
 
 def check_definitions():
-    """None is missing in the list above, and every property that they define has help, representations' too."""
+    """The list above contains every proxy of the plugin's files. Every property has help, also those of
+    representations."""
     found = {(group, name) for group, name, _ in definitions() if group != "representations"}
     assert found == PROPERTIES.keys(), found ^ PROPERTIES.keys()
     for _, name, element in definitions():
@@ -156,7 +157,7 @@ def check_definitions():
 
 
 def check_properties():
-    """Labels and defaults are as listed, the defaults are those of the class, everything is documented."""
+    """Labels and defaults are as listed, the defaults equal those of the class, and everything is documented."""
     manager = servermanager.ProxyManager()
     for (group, name), expected in PROPERTIES.items():
         proxy = manager.NewProxy(group, name)
@@ -164,7 +165,7 @@ def check_properties():
         hints = proxy.GetHints()
         if group != "contact_tools" and not hints.FindNestedElementByName("ReaderFactory"):
             menu = hints.FindNestedElementByName("ShowInMenu").GetAttribute("category")
-            assert menu.startswith("Palpate"), (name, menu)     # test_panels.py: which one
+            assert menu.startswith("Palpate"), (name, menu)     # the submenu is checked by test_panels.py
         made = proxy.GetClientSideObject()
         # the class itself or, for the plugin's own vtkPV..., the corresponding class of the package
         assert type(made) is getattr(palpate, made.GetClassName().replace("vtkPV", "vtk")), type(made)
@@ -196,7 +197,7 @@ def direct_tool(specification):
 
 
 def check_stack():
-    """The table of layers reaches the filter: equal layers are one layer."""
+    """The table of layers reaches the filter. Two equal layers have the same force as one layer."""
     body = simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=4, YResolution=4)
     body = simple.Triangulate(Input=body)
     forces = []
@@ -213,7 +214,7 @@ def check_stack():
 
 
 def check_relaxation():
-    """The table of relaxations reaches the filter, a relaxation by name takes its place."""
+    """The table of relaxations reaches the filter. A relaxation chosen by name replaces it."""
     response = simple.ToolContactResponse(Input=simple.Triangulate(Input=simple.Plane()))
     response.Relaxations = [0.5, 0.1, 0.3, 2]
     expected = {"Custom": [0.5, 0.3], "Skin of a mouse": [2.57], "Soft tissue of a limb": [0.15],
@@ -230,7 +231,7 @@ def check_relaxation():
 
 def with_response(body):
     response = simple.ToolContactResponse(Input=body)
-    response.Tool.Shape = "Paraboloid"                      # the samples store its law exactly
+    response.Tool.Shape = "Paraboloid"                      # the samples store the law of this shape exactly
     response.Tool.Radiusmm = 6.35
     response.YoungsModulusMPa = YOUNG
     response.PoissonsRatio = POISSON
@@ -261,10 +262,10 @@ def check_ball():
     np.testing.assert_allclose(fetched(probe, "NormalForce"), expected, rtol=FLOAT, atol=1e-15)
     force = fetched(probe, "Force")
     np.testing.assert_allclose(np.linalg.norm(force, axis=1), expected, rtol=FLOAT, atol=1e-15)
-    assert force[-1][0] > 0.98 * expected[-1]               # out of the body
+    assert force[-1][0] > 0.98 * expected[-1]               # the force points out of the body
     probe.Indentationmm = 0.1
     deeper = fetched(probe, "Deflection")
-    np.testing.assert_allclose(deeper[-1] - depth[-1], 0.1, atol=1e-3) # the facets' normals are blended
+    np.testing.assert_allclose(deeper[-1] - depth[-1], 0.1, atol=1e-3) # the normals of the facets are interpolated
 
     curves = simple.ResponseCurves(Input=response, PointIds=[3, 7], NumberOfRows=5)
     assert type(curves.GetClientSideObject()) is palpate.vtkResponseCurves
@@ -276,7 +277,7 @@ def check_ball():
 
 
 def check_friction():
-    """Dragged over a plate, the tool feels Coulomb's limit; loose points feel no friction."""
+    """A tool dragged over a plate has Coulomb's limit of friction. Separate points have no friction."""
     flat = simple.Triangulate(Input=simple.Plane(
         Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=10, YResolution=10))
     drag = simple.Line(Point1=(-2, 0.3, -1), Point2=(2, 0.3, -1), Resolution=200)
@@ -304,7 +305,7 @@ def check_friction():
 
 
 def check_plane():
-    """On a flat body the displacement is the tool's own, at every point of the field."""
+    """On a flat body the displacement field is the tool's closed form, at every point of the field."""
     tool = direct_tool("paraboloid:6.35")
     flat = simple.Triangulate(Input=simple.Plane(
         Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=40, YResolution=40))
@@ -333,7 +334,7 @@ def check_tool():
 
 
 def check_layer():
-    """10 mm of an incompressible body under a sphere, 2 mm deep: 1.66943909743 times the half-space's force
+    """A layer of 10 mm, incompressible, under a sphere 2 mm deep: 1.66943909743 times the half-space's force
     (Data/Reference/liver_slab_h10.csv), and a negative regime index: 1 - 1.669^(2/3)."""
     flat = simple.Triangulate(Input=simple.Plane(
         Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0), XResolution=2, YResolution=2))
@@ -353,7 +354,7 @@ def check_layer():
 
 
 def check_compliance():
-    """A ball on its foot gives way everywhere, and half as much when it is twice as stiff."""
+    """A ball on its foot has a compliance at every point, which is halved if the ball is twice as stiff."""
     ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
     solid = simple.VoxelBody(Input=ball, Spacingmm=2.5)
     compliance = simple.ElasticCompliance(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
@@ -362,7 +363,7 @@ def check_compliance():
     assert type(compliance.GetClientSideObject()) is palpate.vtkElasticCompliance
     height = vtk_to_numpy(servermanager.Fetch(compliance).GetPoints().GetData())[:, 2]
     assert np.median(values) > 0, values
-    # The same in centimetres.
+    # The same solid in centimetres.
     small = simple.Transform(Input=solid, Transform="Transform")
     small.Transform.Scale = [0.1, 0.1, 0.1]
     again = simple.ElasticCompliance(Input=small, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON, LengthUnit="cm")
@@ -377,7 +378,8 @@ def check_compliance():
 
 
 def check_true_shape():
-    """A ball on its foot, pressed: softer than a half-space as curved; force goes with E; the next tool is free."""
+    """A ball on its foot under a tool: softer than a curved half-space; the force is proportional to E; a further tool
+    needs no new solution."""
     ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
     solid = simple.VoxelBody(Input=ball, Spacingmm=2.5)
     shaped = simple.ElasticContactResponse(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
@@ -398,8 +400,8 @@ def check_true_shape():
     assert smaller[top, -1] < force[top, -1] and made.GetNumberOfSolutions() == 0
     shaped.YoungsModulusMPa = 2 * YOUNG
     np.testing.assert_allclose(fetched(shaped, "ResponseForce")[top], 2 * smaller[top], rtol=1e-4)
-    # On a separate surface, in the body's unit: the ball that was filled, which is smooth, unlike
-    # the voxels.
+    # On a separate surface, in the body's unit: the ball that was filled. Unlike the voxels it is
+    # smooth.
     shaped.FinerSurface = ball
     felt = fetched(shaped, "ResponseForce")
     points = vtk_to_numpy(servermanager.Fetch(shaped).GetPoints().GetData())
@@ -409,7 +411,8 @@ def check_true_shape():
 
 
 def check_nodules():
-    """A hard ball in a ball is felt above it, not beside it, and most by the tool that is nearer its size."""
+    """A hard ball in a ball increases the force above it but not elsewhere, and most for the tool whose size is closer
+    to the hard ball's size."""
     ball = simple.Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
     solid = simple.VoxelBody(Input=ball, Spacingmm=1.5)
     material = simple.NoduleMaterial(Input=solid, YoungsModulusMPa=YOUNG, PoissonsRatio=POISSON)
@@ -434,7 +437,8 @@ def check_nodules():
 
 
 def check_scanned():
-    """Wavelet as a scan of stiffness: E of each cell between the map's, larger in the middle, the same in any unit."""
+    """Wavelet as a scan of stiffness: E of each cell is within the range of the map, larger in the middle, and the same
+    in any unit."""
     ball = simple.Sphere(Radius=8, ThetaResolution=40, PhiResolution=40)
     solid = simple.VoxelBody(Input=ball, Spacingmm=2)
     scanned = simple.ScannedMaterial(Input=solid, Image=simple.Wavelet(), ImageArray=["POINTS", "RTData"], ValuesAreLabels=0)
@@ -450,7 +454,7 @@ def check_scanned():
 
 
 def check_segmented():
-    """Three filters from an image of labels to the map: a hard ball under the upper face is felt above it."""
+    """Three filters from an image of labels to the map: above a hard ball under the upper face the force is larger."""
     labels = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Label",
                                Function="if(abs(coordsZ) > 6, 0, if(mag(coords - 2*kHat) < 2.6, 2, 1))")
     body = simple.SegmentedBody(Input=labels, LabelArray=["POINTS", "Label"], SurfaceSpacingmm=4)
@@ -469,7 +473,8 @@ def check_segmented():
     upper = points[:, 2] > points[:, 2].max() - 0.6                  # without the rounded edges
     away = np.hypot(points[:, 0], points[:, 1])
     above, beside = np.nanmax(force[upper & (away < 1.5)]), np.nanmedian(force[upper & (away > 5) & (away < 7)])
-    # By 10 % and more: a ball of 3 mm radius, 2 mm deep and ten times as hard by 23 to 30 % (Data/Studies/nodule/nodule.md).
+    # The force is larger by at least 10 %. For a ball of 3 mm radius, 2 mm deep and ten times as
+    # hard, it is larger by 23 to 30 % (Data/Studies/nodule/nodule.md).
     assert above > 1.1 * beside, (above, beside)
 
 
@@ -485,14 +490,14 @@ def check_skin():
 
 
 def check_thickness():
-    """A ball of 8 mm with a dark core of 4 mm, blurred over 2 mm; and on to the response."""
+    """A ball of 8 mm with a dark core of 4 mm, blurred over 2 mm: thickness of the layer, and the response with it."""
     scan = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Grey",
                              Function="max(0, min(100, 50 + 50*(mag(coords) - 4)))")
     ball = simple.Sphere(Radius=8, ThetaResolution=60, PhiResolution=60)
     layer = simple.LayerThickness(Body=ball, Scan=scan)
     layer.GreyValues = ["POINTS", "Grey"]
     assert type(layer.GetClientSideObject()) is palpate.vtkLayerThickness
-    np.testing.assert_allclose(fetched(layer, "LayerThickness"), 4, atol=0.25) # of the voxels of 1 mm
+    np.testing.assert_allclose(fetched(layer, "LayerThickness"), 4, atol=0.25) # tolerance for voxels of 1 mm
     response = with_response(layer)
     soft = fetched(response, "ResponseForce")
     response.LayerThicknessArraymm = ["POINTS", "LayerThickness"]
@@ -500,7 +505,8 @@ def check_thickness():
 
 
 def check_trajectory():
-    """Tips that go down onto a plate in 1 s: at each time those up to it; all of them press on a plate."""
+    """Tips that move down onto a plate in 1 s. At each time the output has the tips up to that time. All tips press on
+    a plate."""
     file = sys.argv[1] + "/trajectory.csv"
     with open(file, "w", encoding="utf-8") as csv:
         csv.write("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares a body in pieces on several ranks with the whole body, to the bit, for parallel.py.
+"""Compares a body in pieces on several ranks with the whole body bit by bit, for parallel.py.
 
-The triangles are compared as a multiset: each by the coordinates of its corners, the smallest first, and by the values
-of the arrays there. So a sum over the surface has the same terms on any number of ranks, in another order.
+The triangles are compared as a multiset. Each triangle is represented by the coordinates of its corners, beginning
+with the smallest, and by the values of the arrays there. A sum over the surface therefore has the same terms on any
+number of ranks, in another order.
 """
 import math
 import numpy as np
@@ -12,7 +13,7 @@ EPS = np.finfo(float).eps
 
 
 def array_of(data, name):
-    values = vtk_to_numpy(data.GetPointData().GetArray(name)).astype(float)     # from float: exact
+    values = vtk_to_numpy(data.GetPointData().GetArray(name)).astype(float)     # exact, because the values are floats
     return values.reshape(data.GetNumberOfPoints(), -1)
 
 
@@ -29,14 +30,15 @@ def triangles_of(data, names=()):
 
 
 def inner_points(data):
-    """Indices, and coordinates as bytes, of the points that lie in one piece alone."""
+    """Indices, and coordinates as bytes, of the points that lie in only one piece."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float) + 0.0
     _, first, count = np.unique(points, axis=0, return_index=True, return_counts=True)
     return {points[i].tobytes(): i for i in first[count == 1]}
 
 
 def terms(data):
-    """Area (mm2) of each triangle times the mean of its corners' peak force (N), and of their energy (N mm)."""
+    """Area (mm2) of each triangle times the mean of the peak force (N) at its corners, and times the mean of their
+    energy (N mm)."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     corners = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     force, reach = array_of(data, "ResponseForce"), array_of(data, "ResponseRange")
@@ -50,7 +52,8 @@ def terms(data):
 
 
 def check_bits(pieces, serial, everywhere, inside=()):
-    """The arrays `everywhere` have the serial body's bits at all points, `inside` at those that are on no seam."""
+    """The arrays `everywhere` are bitwise equal to those of the serial body at all points, the arrays `inside` at
+    points that are on no seam."""
     found, _ = triangles_of(pieces, everywhere)
     expected, _ = triangles_of(serial, everywhere)
     assert found.shape == expected.shape, (found.shape, expected.shape)
@@ -65,10 +68,11 @@ def check_bits(pieces, serial, everywhere, inside=()):
 
 
 def check_sums(pieces, serial):
-    """The sums of peak force and energy over the surface. A term has at most 20 roundings, a sum of n terms in any
-    order n - 1: two are no farther apart than 2 (n + 20) eps times the sum of the terms' sizes."""
+    """The sums of peak force and energy over the surface. A term has at most 20 rounding errors, and a sum of n terms
+    in any order has n - 1. Therefore two sums differ by at most 2 (n + 20) eps times the sum of the magnitudes of the
+    terms."""
     for found, expected in zip(terms(pieces), terms(serial)):
         bound = 2 * (len(expected) + 20) * EPS * np.abs(expected).sum()
-        off = abs(np.cumsum(found)[-1] - np.cumsum(expected)[-1])               # cumsum adds one by one
+        off = abs(np.cumsum(found)[-1] - np.cumsum(expected)[-1]) # cumsum adds the terms one after the other
         assert off <= bound, (off, bound)
         assert abs(math.fsum(found) - math.fsum(expected)) <= 40 * EPS * np.abs(expected).sum()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks whether VTK reads its own XML with raw binary data here. ParaView passes such data between processes. VTK before
-9.3.1 fails with expat since 2.6, and with Debian's patched 2.5 (VTK's issue 19258), at most lengths of the header."""
+"""Checks whether VTK reads its own XML with raw binary data on this machine. ParaView passes such data between
+processes. VTK before 9.3.1 fails with expat since 2.6, and with Debian's patched 2.5 (VTK's issue 19258), at most
+lengths of the header."""
 import sys
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData

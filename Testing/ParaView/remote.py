@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Client and server with the plugin on both sides: remote.py FOLDER PLUGIN "COMMAND OF THE SERVER"
 
-The server starts without the plugin and gets it from the client. Its results are those of ParaView without a server:
-the same bits with one process; equal to a part in a million with several, since normals at seams are summed in another
-order.
+The server starts without the plugin and gets it from the client. Its results are compared with those of ParaView
+without a server. With one process they are bitwise equal. With several processes they agree to a millionth, because
+normals at seams are summed in another order.
 """
 import os
 import shlex
@@ -22,11 +22,12 @@ FILE = os.path.join(FOLDER, "remote_%d.vtp" % os.getpid())
 
 
 def start_server():
-    """The server, its port, on which it listens now, and what it says."""
+    """Starts a server that listens on a free port. Returns the server, its port, and its output."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    # Without the plugin. This process may itself belong to MPI, which mpiexec does not accept.
+    # The server starts without the plugin. This process may itself belong to MPI, which mpiexec
+    # does not accept.
     environment = {k: v for k, v in os.environ.items()
                    if k != "PV_PLUGIN_PATH" and not k.startswith(("OMPI_", "PMIX_", "OPAL_", "ORTE_"))}
     server = subprocess.Popen(SERVER + ["--server-port=%d" % port, "--dr"], text=True,
@@ -57,7 +58,7 @@ def build(spread):
 
 
 def numbers(proxies):
-    """All arrays of the points, those of bodies in the order of their coordinates, each point once."""
+    """All arrays of the points. Those of bodies are sorted by coordinates, and each point occurs once."""
     result = {}
     for name, proxy in zip(("response", "probe", "dent"), proxies):
         data = servermanager.Fetch(proxy)
@@ -111,7 +112,7 @@ if "mpiexec" in SERVER[0]:
     raw_xml.need_raw_xml()
 try:
     run()
-except BaseException: # noqa: what it was is said; leaving in the ordinary way would talk to a server that has gone
+except BaseException: # noqa: the exception is printed; a normal exit would contact a server that no longer exists
     traceback.print_exc()
     sys.stderr.flush()
     os._exit(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters that read a response offer the names of the responses on a body; any other name can be typed and is kept."""
+"""Filters that read a response offer the names of the responses on a body. Any other name can be typed and is kept."""
 import sys
 from paraview import servermanager, simple
 
@@ -32,18 +32,18 @@ for reader in READERS:
     assert name in ("Ball", "Cone") and sorted(choice) == ["Ball", "Cone"], (reader, name, choice)
     name, choice = name_and_choice(reader, odd)
     assert name == "Response" and sorted(choice) == ["Ball", "Cone", "Response"], (reader, name, choice)
-    # Without a choice the name stays as it is.
+    # Without a choice the name does not change.
     assert name_and_choice(reader, ball) == ("Response", ["Response"]), reader
 
-# A name from a script that the body does not have yet is kept. It is among the choices once the
-# body changes.
+# A name from a script is kept even if the body does not have this response yet. The name is among
+# the choices when the body changes.
 regime = simple.ContactRegime(Input=cone)
 regime.ResponseName = "Later"
 regime.UpdateVTKObjects()
 regime.Input = both
 assert regime.ResponseName == "Later"
 assert sorted(regime.GetProperty("ResponseName").Available) == ["Ball", "Cone", "Later"]
-# A state restores it.
+# A saved state restores the name.
 state = sys.argv[1] + "/response_names.pvsm"
 simple.RenameSource("regime", regime)
 regime.ResponseName = "Ball"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pipeline of every filter, saved as a state, XML or Python, comes back with its numbers: state.py FOLDER
+"""A pipeline of every filter is saved as a state, XML or Python, and has the same numbers when it is loaded:
+state.py FOLDER
 
-The charts also come back, if there is an X server.
+The charts are restored as well, if there is an X server.
 """
 import os
 import sys
@@ -25,7 +26,7 @@ def show_charts():
 
 
 def check_properties():
-    """What is not seen in the numbers alone."""
+    """Checks the properties that do not affect the numbers."""
     response = simple.FindSource("response")
     assert response.Tool.Shape == "Cone" and response.Tool.HalfAngledegrees == 45
     assert list(response.GlobalComplianceArraymmN)[1] in ("None", "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A recorded trajectory is played, scrubbed and exported, with a probe, a dent and a chart after it: time.py FOLDER
+"""A recorded trajectory is played, scrubbed and exported, followed by a probe, a dent and a chart: time.py FOLDER
 
 A session presses and drags a sphere on a plate; its recording is opened as a Palpate Trajectory. At every time the
 probe has the force of the session at that time, and the force from the whole path at once. Needs an X server.
@@ -32,7 +32,7 @@ def array(data, name):
 
 
 def press_and_drag():
-    """Down to 1 mm deep in 0.4 s, then 3 mm aside until 1 s."""
+    """The path: down to a depth of 1 mm in 0.4 s, then 3 mm sideways until 1 s."""
     points, times, cells = vtkPoints(), vtkDoubleArray(), vtkCellArray()
     points.SetDataTypeToDouble()
     times.SetName("Time")
@@ -49,7 +49,7 @@ def press_and_drag():
 
 
 def record(body, file):
-    """What a session with the simulated device leaves, as a file; and as it is."""
+    """The recording of a session with the simulated device, as a file and in memory."""
     session = palpate.vtkHapticSession()
     session.SetBody(body)
     session.GetDevice().SetPath(press_and_drag())
@@ -117,18 +117,18 @@ simple.Show(history, chart)
 
 
 def check_now(time):
-    """At this time the last tip is the present one, and all of it is as the whole path has it."""
+    """At this time the present tip is the last tip, and its data equal those of the whole path."""
     last = np.searchsorted(times, time + 1e-9, side="right")
     for view_at in (view, chart):
         simple.Render(view_at)
-    now = probe.GetClientSideObject().GetOutput()           # in the state that the views have requested
+    now = probe.GetClientSideObject().GetOutput()           # the output for the time that the views have requested
     assert now.GetNumberOfPoints() == last, (time, now.GetNumberOfPoints(), last)
     for name in ("Deflection", "NormalForce", "FrictionForce", "Force"):
         np.testing.assert_array_equal(array(now, name), array(all_at_once, name)[:last], err_msg=name)
     deep = array(now, "Deflection")[-1]
     moved = array(dent.GetClientSideObject().GetOutput(), "ContactDisplacement")
-    # The grid point nearest to the contact is at most 0.36 mm from it. There the sphere's surface
-    # is 0.36^2/(2*5) mm higher, and the dent's rim is no steeper.
+    # The grid point nearest to the contact is at most 0.36 mm from the contact. There the sphere's
+    # surface is 0.36^2/(2*5) mm higher, and the rim of the dent is not steeper.
     assert deep - 0.05 <= -moved[:, 2].min() + 1e-6 and -moved[:, 2].min() <= deep + 1e-6, (time, deep, moved.min())
     assert history.GetClientSideObject().GetOutput().GetNumberOfRows() == last
     return deep
@@ -142,7 +142,8 @@ for step in steps[1:]:
     played.append(view.ViewTime)
     depths.append(check_now(view.ViewTime))
 np.testing.assert_allclose(played, steps, atol=1e-9)
-np.testing.assert_allclose(depths, np.clip(4 * steps - 0.6, 0, 1), atol=6e-3) # a tick's way, 4 mm/s for 1 ms
+# Tolerance: the motion in one tick, 4 mm/s for 1 ms
+np.testing.assert_allclose(depths, np.clip(4 * steps - 0.6, 0, 1), atol=6e-3)
 for time in (0.7, 0.2, 0.55, 0.0):                          # scrubbed, also between the steps
     scene.AnimationTime = time
     check_now(time)

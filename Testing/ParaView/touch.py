@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touch: the closed form of the tool at any position of the tip; animated, saved and loaded: touch.py FOLDER"""
+"""Touch: the force has the closed form of the tool at any position of the tip; animated, saved and loaded. Usage:
+touch.py FOLDER"""
 import sys
 import numpy as np
 import palpate
@@ -12,7 +13,7 @@ FLOAT = 1e-6                                                # relative error of 
 
 def tool():
     made = palpate.vtkContactTool()
-    made.SetShapeToParaboloid()                             # the samples store its law exactly
+    made.SetShapeToParaboloid()                             # the samples store the law of this shape exactly
     made.SetRadius(6.35)
     return made
 
@@ -33,7 +34,7 @@ def text(touch):
 
 
 def block():
-    """A flat body: what is pressed is a half-space to the last digit."""
+    """A body with flat faces, on which a press has the force of a half-space."""
     plate = simple.Plane(Origin=(-40, -30, 5), Point1=(40, -30, 5), Point2=(-40, 30, 5), XResolution=80,
                          YResolution=60)
     triangles = simple.Triangulate(Input=plate)
@@ -48,7 +49,8 @@ def block():
 
 
 def ball_with_tail(name="Response"):
-    """A ball of 30 mm whose thin tail, 60 mm long, ends in the corner of the bounds that faces the first view."""
+    """A ball of 30 mm with a thin tail, 60 mm long. The tail ends in the corner of the bounds that faces the first
+    view."""
     ball = simple.Sphere(Radius=30, ThetaResolution=120, PhiResolution=120)
     pulled = simple.Calculator(Input=ball, CoordinateResults=1,
                                Function="coords * (1 + 2 * exp(((coordsX + coordsY + coordsZ) / (30 * sqrt(3)) - 1) / 0.01))")
@@ -56,7 +58,8 @@ def ball_with_tail(name="Response"):
 
 
 def check_start(folder):
-    """On the ball, on the side that the active view looks at; where there is none, on the upper side."""
+    """The initial position is on the ball, on the side that faces the active view; without a view, on the upper
+    side."""
     def check(touch, towards):
         start, towards = np.array(touch.TipPositionmm), np.array(towards) / np.linalg.norm(towards)
         np.testing.assert_allclose(np.linalg.norm(start), 30, atol=0.1)      # the facets' sag is 0.05 mm
@@ -79,10 +82,10 @@ def check_start(folder):
         last = simple.Touch(Input=response)
         check(last, place)
     trace = smtrace.stop_trace()
-    assert trace.count(".TipPositionmm = [") == 3, trace    # the script must not depend on the view that it finds
+    assert trace.count(".TipPositionmm = [") == 3, trace    # the script must not depend on the current view
     kept = list(last.TipPositionmm)
     simple.RenameSource("begun", last)
-    view.CameraPosition = (200, 0, 0)                       # the state must not apply the view's camera again
+    view.CameraPosition = (200, 0, 0)                       # the state must not set the camera of the view again
     simple.SaveState(folder + "/touch_start.pvsm")
     simple.ResetSession()
     simple.LoadState(folder + "/touch_start.pvsm")
@@ -91,7 +94,7 @@ def check_start(folder):
 
 
 def check_positions(response):
-    """By default half of Range deep, in the middle; then where it is moved."""
+    """The default position is in the middle, at a depth of half of Range. Then the tip is moved to other positions."""
     touch = simple.Touch(Input=response)
     np.testing.assert_allclose(touch.TipPositionmm, (0, 0, 5), atol=1e-9)
     assert touch.SnapToSurface == 1 and touch.Indentationmm == 0 and touch.ResponseName == "Response"
@@ -127,7 +130,8 @@ def check_dent(touch):
 
 
 def check_second_tip(response):
-    """Two handles: each tool alone, and coupled as the probe has them; the second begins beside the first."""
+    """Two handles: each tool alone, and both coupled, with the forces of the probe. The second handle begins next to
+    the first."""
     touch = simple.Touch(Input=response, SecondTip=1)
     first, second = np.array(touch.TipPositionmm), np.array(touch.SecondTipPositionmm)
     assert 5 < np.linalg.norm(second - first) < 30, (first, second)
@@ -143,9 +147,9 @@ def check_second_tip(response):
     assert (forces(touch) < 0.97 * np.array(alone)).all() and "less by the other tip" in text(touch), text(touch)
     dent = vtk_to_numpy(servermanager.Fetch(touch, idx=0).GetPointData().GetArray("Dent (mm)"))
     places = vtk_to_numpy(servermanager.Fetch(response).GetPoints().GetData())
-    for tip in tips:                                        # the surface meets both tools
+    for tip in tips:                                        # the surface touches both tools
         under = np.linalg.norm((places - tip)[:, :2], axis=1).argmin()
-        np.testing.assert_allclose(dent[under], RANGE / 2, rtol=0.02)    # C of a point law, a tenth of a mm away
+        np.testing.assert_allclose(dent[under], RANGE / 2, rtol=0.02)    # C is from a point law, a tenth of a mm away
     tools = servermanager.Fetch(touch, idx=1).GetBounds()
     assert tools[0] < 0 and tools[1] > 9.2, tools
     response.Coupling = 0
@@ -160,7 +164,7 @@ def forces(touch):
 
 
 def check_animation(touch):
-    """The tip moved along a line by an animation cue: the force follows at each frame."""
+    """An animation cue moves the tip along a line. The force follows at each frame."""
     touch.SnapToSurface = 0
     scene = simple.GetAnimationScene()
     scene.PlayMode = "Sequence"
@@ -177,7 +181,7 @@ def check_animation(touch):
 
 
 def check_state(touch, file):
-    """Saved and loaded: the same numbers, and ports that look as they did."""
+    """A saved and loaded state has the same numbers, and its ports have the same appearance."""
     touch.TipPositionmm = (7, 8, 3.6)
     simple.RenameSource("touch", touch)
     view = simple.CreateView("RenderView")
@@ -199,7 +203,7 @@ def check_state(touch, file):
 
 
 def check_defaults():
-    """Labels, defaults as the class has them, and a help text for each."""
+    """Labels, defaults equal to those of the class, and a help text for each property."""
     proxy = servermanager.ProxyManager().NewProxy("filters", "ToolTouch")
     made = proxy.GetClientSideObject()
     assert type(made) is palpate.vtkToolTouch

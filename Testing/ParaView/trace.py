@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A trace of a pipeline of every filter, recorded as it is built, runs in pvbatch and gives the same numbers:
+"""A trace of a pipeline of every filter is recorded while it is built. It runs in pvbatch and gives the same numbers:
 
     pvpython trace.py FOLDER PVBATCH
 """
@@ -15,7 +15,7 @@ sys.path.insert(0, HERE)
 from pipeline import build, check_same, numbers             # noqa: E402
 from paraview import smtrace                                # noqa: E402
 
-FOLDER, PVBATCH = os.path.join(sys.argv[1], "trace"), sys.argv[2] # its own: tests run side by side
+FOLDER, PVBATCH = os.path.join(sys.argv[1], "trace"), sys.argv[2] # a separate folder, because tests run in parallel
 os.makedirs(FOLDER, exist_ok=True)
 SCRIPT, RESULT = os.path.join(FOLDER, "traced.py"), os.path.join(FOLDER, "traced.npz")
 
@@ -23,7 +23,7 @@ SCRIPT, RESULT = os.path.join(FOLDER, "traced.py"), os.path.join(FOLDER, "traced
 
 @contextmanager
 def applied(proxy):
-    """What changes meanwhile is traced, as ParaView's panel does on Apply."""
+    """A context whose changes are traced, as by Apply in ParaView's panel."""
     change = smtrace.PropertiesModified(proxy.SMProxy)
     yield
     change.finalize()

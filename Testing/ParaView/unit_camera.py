@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""After a change of Length Unit the view shows the body; nothing else moves the camera. Played in the ParaView program:
+"""After a change of Length Unit the view shows the whole body. No other change moves the camera. Played in the program:
 
     pvpython unit_camera.py PARAVIEW FOLDER-OF-EVENTS FOLDER      needs an X server
 """
@@ -16,7 +16,7 @@ OWN = {"CameraPosition": [130, -40, 170], "CameraFocalPoint": [10, 5, 3], "Camer
 
 
 def loaded(name):
-    """The view, and the response, of a state."""
+    """Loads a state. Returns its view and its response."""
     simple.ResetSession()
     simple.LoadState(str(FOLDER / name))
     return simple.GetActiveViewOrCreate("RenderView"), simple.FindSource("ToolContactResponse1")
@@ -33,7 +33,7 @@ def direction(seen):
 
 
 def check_fits(name, unit, factor):
-    """The picture is filled, its camera looks at the middle of the body, from some of its lengths away."""
+    """The body fills the picture. The camera looks at the middle of the body, from a distance of some body lengths."""
     view, response = loaded(name + ".pvsm")
     assert response.LengthUnit == unit, response.LengthUnit
     size = 2 * factor * organ.SEMI_AXES[0]

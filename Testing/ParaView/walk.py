@@ -24,14 +24,15 @@ from program import play
 
 STEPS = ("body.png", "response.png", "touch.png")
 SIZE = (844, 527)
-BACKGROUND = (0.32, 0.34, 0.43)                             # ParaView's until 5.13; 6 has another
-SMALL = 200_000                                             # bytes of a picture in the repository
+BACKGROUND = (0.32, 0.34, 0.43)                             # ParaView's background until 5.13; version 6 has another
+SMALL = 200_000                                             # largest size of a picture in the repository, bytes
 YOUNG, POISSON, RADIUS, RANGE = 0.1, 0.45, 5.0, 2.0         # defaults of Tool Contact Response
 
 
 def force_on(curvatures, depth):
-    """The exact sphere (Sneddon 1965) on a body of these curvatures, N: profiles add, by the radius whose square is
-    the product of both sums, times Hertz's ellipse (reference: Johnson 1985, 4.2)."""
+    """Force on the exact sphere (Sneddon 1965) on a body with these curvatures, N. The profiles of tool and body are
+    added: the square of the effective radius is the product of both sums of curvatures. The result is multiplied by the
+    factor of Hertz's ellipse (reference: Johnson 1985, 4.2)."""
     def at(a):
         log = math.log((RADIUS + a) / (RADIUS - a))
         own = 0.5 * a * log
@@ -48,7 +49,7 @@ def force_on(curvatures, depth):
 
 
 def force_in_series(curvatures, compliance, depth):
-    """The sphere on the surface of a body that yields by `compliance` (mm/N) as a whole, N."""
+    """Force on the sphere on the surface of a body with the global compliance `compliance` (mm/N), N."""
     low, high = 0.0, 2.0 * depth                            # the deflection of the surface
     while high - low > 1e-9:
         middle = 0.5 * (low + high)
@@ -57,7 +58,7 @@ def force_in_series(curvatures, compliance, depth):
 
 
 def compliance_at(place):
-    """The compliance of the whole body, mm/N, as the response has it, between the corners of the triangle there."""
+    """The compliance of the whole body in the response, mm/N, interpolated between the corners of the triangle."""
     body = servermanager.Fetch(simple.FindSource("ToolContactResponse1"))
     locator = vtkStaticCellLocator()
     locator.SetDataSet(body)
@@ -72,7 +73,7 @@ def compliance_at(place):
 
 
 def check_numbers(state):
-    """What the clicks have left: the sphere half of Range deep in the curved body, on all four ports."""
+    """The result of the clicks: the sphere is half of Range deep in the curved body, on all four ports."""
     simple.LoadState(str(state))
     touch = simple.FindSource("Touch1")
     assert touch and simple.FindSource("ToolContactResponse1")
@@ -108,7 +109,7 @@ def check_numbers(state):
 
 
 def check_moved(state, before):
-    """A new position in the panel is touched without Apply: it is in the state, and the tip followed."""
+    """A new position in the panel takes effect without Apply: it is in the state, and the tip has moved."""
     simple.ResetSession()
     simple.LoadState(str(state))
     touch = simple.FindSource("Touch1")
@@ -130,7 +131,7 @@ def main(program, events, baselines, folder, pictures=None):
     for step in STEPS:
         assert 0 < (folder / step).stat().st_size < SMALL, step
     check_moved(folder / "moved.pvsm", check_numbers(folder / "walk.pvsm"))
-    assert (folder / "moved.png").read_bytes() != (folder / "touch.png").read_bytes() # drawn anew, too
+    assert (folder / "moved.png").read_bytes() != (folder / "touch.png").read_bytes() # the picture has changed as well
     if pictures:
         for step in STEPS:
             shutil.copy(folder / step, Path(pictures) / ("paraview_" + step))

@@ -60,7 +60,8 @@ check(response, "radius", "positive", "-1")
 response.Tool.Radiusmm = 5
 assert complaint(response) == ""
 
-# A value out of range: the message names the property as the panel does, and the filter works again with the value before.
+# A value out of range: the message names the property by its label. With the previous value the
+# filter works again.
 flat = simple.Triangulate(Input=simple.Plane(Origin=(-20, -20, 0), Point1=(20, -20, 0), Point2=(-20, 20, 0)))
 pressed = simple.ToolContactResponse(Input=flat)
 WRONG = (

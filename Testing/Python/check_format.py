@@ -5,7 +5,7 @@
     check_format.py [SOURCE_DIR]    default: the tree this script is in
 
 Checks the *.h and *.cxx that git tracks or would track; without git, all files except those under build/.
-Other versions of clang-format may format some lines in another way; only version 14 counts.
+Other versions of clang-format may format some lines differently, so only version 14 is used.
 
 To fix a file: clang-format -i FILE
 
@@ -23,7 +23,7 @@ SUFFIXES = (".h", ".cxx")
 
 
 def find_tool():
-    """clang-format of this version; others lay out some lines otherwise."""
+    """Finds clang-format of this version, because other versions format some lines differently."""
     for name in (f"clang-format-{VERSION}", "clang-format"):
         tool = shutil.which(name)
         if tool and f"version {VERSION}." in subprocess.run(
@@ -33,7 +33,7 @@ def find_tool():
 
 
 def listed_by_git(root):
-    """Tracked and new files; None where git is missing or does not know the tree."""
+    """Tracked and new files; None if git is missing or the tree is not a git repository."""
     try:
         listing = subprocess.run(
             ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -57,8 +57,8 @@ def code_files(root):
 
 
 def misformatted(tool, root, files):
-    """Those that clang-format would change; prints its first complaint about each. All in one call, since it takes
-    longer to start than to look at a hundred files."""
+    """The files that clang-format would change. Prints its first complaint about each. All files are passed in one
+    call, because starting takes longer than checking a hundred files."""
     result = subprocess.run([tool, "--dry-run", "--Werror", "--style=file", *files], cwd=root,
                             capture_output=True, text=True)
     complaints = {}

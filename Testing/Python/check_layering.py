@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks which folder (room) may include which other, by this drawing.
+"""Checks which folder ("room") may include which other folder, according to this drawing.
 
     Mechanics --> Contact --> Laws --> Response (VTK filters) --> Interaction (VTK) --> Plugin/*
                       '--------------> Haptics (devices, servo) ------'
@@ -14,7 +14,7 @@
 
 A room may include any room to its left along the arrows, never a room to its right or parallel to it:
 
-    Filters/Mechanics         nothing of ours
+    Filters/Mechanics         no other room
     Filters/Contact           Mechanics
     Filters/Laws              Mechanics, Contact
     Filters/Strain            Mechanics
@@ -35,10 +35,9 @@ Mechanics, Contact, Laws, Strain, Solids, Identification, Haptics, Transports an
 Qt: they build without them.
 Only Plugin/ParaView includes headers of ParaView (pq*, vtkPV*, vtkSM*, ...).
 
-The file name of an include determines its room, so no two rooms may have a header of the same name. A class
-of Filters or Interactors that is no vtkObject is included by its room and folder: "Contact/PackedMesh.h".
-A folder with C++ code that is not a room is an error, and so is a name at the top level that does not
-belong there.
+The file name of an include determines its room, so no two rooms may have a header of the same name. A class of Filters
+or Interactors that is not a vtkObject is included with its room and folder: "Contact/PackedMesh.h". Two more faults
+are a folder with C++ code that is not a room, and a name at the top level that is not in the list.
 
     check_layering.py [SOURCE_DIR]    check the tree (default: the one this script is in)
     check_layering.py --self-test     break each rule in a made-up tree and check that it is noticed
@@ -103,7 +102,7 @@ QT = re.compile(r"Q[A-Z][A-Za-z]*(\.h)?$|Qt[A-Z]\w*/")
 
 
 def room_of(path):
-    """The room of a path relative to the source folder: its first two folders, None outside of any."""
+    """The room of a path relative to the source folder: its first two folders; None for a path outside of all rooms."""
     return "/".join(path.parts[:2]) if len(path.parts) > 2 else None
 
 
@@ -122,7 +121,7 @@ def includes(text):
 
 
 def map_headers(files):
-    """File name of a header -> its path, and the complaints about names used in two rooms."""
+    """File name of a header -> its path; and the complaints about names used in two rooms."""
     owner, complaints = {}, []
     for path in files:
         if path.suffix not in HEADERS:
@@ -134,12 +133,13 @@ def map_headers(files):
 
 
 def told_by_room(path):
-    """How a header is included: by room and folder, or by its name as VTK's, C's and a plugin's own are."""
+    """The form in which a header is included: with room and folder, or only by its name, like headers of VTK, of C and
+    of a plugin."""
     return "/".join(path.parts[1:]) if path.parts[0] != "Plugin" and path.name[0].isupper() else path.name
 
 
 def judge(room, included, owner):
-    """What is wrong with this room including this header; None if nothing."""
+    """The fault if this room includes this header; None if it may."""
     name = included.rsplit("/", 1)[-1]
     header = owner.get(name)
     if header and room_of(header) != room and room_of(header) not in MAY_INCLUDE[room]:
@@ -174,7 +174,7 @@ def check_rooms(root):
 
 
 def git_names(root, *options):
-    """Top-level names of the files git lists; None where git does not know the tree."""
+    """Top-level names of the files that git lists; None if the tree is not a git repository."""
     try:
         listing = subprocess.run(["git", "-C", str(root), "ls-files", "-z", *options],
                                  capture_output=True, text=True, check=True).stdout
@@ -184,7 +184,7 @@ def git_names(root, *options):
 
 
 def check_top_level(root):
-    """Only the allowed names; hidden files that are not under version control are nobody's business."""
+    """Checks that only allowed names exist. Hidden files that are not under version control are ignored."""
     tracked = git_names(root)
     if tracked:
         names = git_names(root, "--cached", "--others", "--exclude-standard")
@@ -309,7 +309,7 @@ def self_test():
 
 
 def main(arguments, usage, what, checked, tested):
-    """The command line of a check of the tree, `checked`(root) -> complaints, and of its self-test."""
+    """Runs the command line of a check: of the tree, by `checked`(root), which returns complaints, or its self-test."""
     if arguments == ["--self-test"]:
         return tested()
     if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):

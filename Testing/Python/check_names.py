@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Each name has one meaning: no type is defined twice, and no two rooms have functions of the same name.
 
-C++ forbids two definitions of one type in a program (the one-definition rule), but a compiler need not notice them.
-Then it is chance which definition a call uses. Names in an anonymous namespace or inside a class are not visible
-elsewhere and do not count. Only functions that headers declare are checked. Overloads of one name belong in one room,
-unless they are in SAME_THING.
+C++ forbids two definitions of one type in a program (the one-definition rule), but a compiler need not detect them.
+Which definition a call uses is then undefined. Names in an anonymous namespace or inside a class are not visible
+elsewhere and are not checked. Only functions that headers declare are checked. Overloads of one name must be in one
+room, unless they are in SAME_THING.
 
     check_names.py [SOURCE_DIR]    check the tree (default: the one this script is in)
     check_names.py --self-test     define a name twice and check that it is noticed
@@ -34,7 +34,7 @@ NO_FUNCTION = re.compile(r"^\s*(?:typedef|using|static_assert|extern|friend|VTK_
 
 
 def statements(text):
-    """(namespace, words, end) of what stands in named namespaces: the words before an end of '{' or ';'."""
+    """(namespace, words, end) of the code in named namespaces: the words before each '{' or ';', which is the end."""
     text = SILENT.sub(" ", text)
     stack, begin = [], 0             # names of namespaces; None for any other brace, "" for an anonymous one
     for match in re.finditer(r"[{};]", text):

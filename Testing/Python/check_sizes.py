@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Limits the lines of a file of the product and the settable properties of a class, so that each can be read at once.
+"""Limits the lines of a file of the product and the settable properties of a class, to keep them easy to read.
 
 A .h, .cxx or .c of Filters, Interactors and Plugin has at most LINES lines. A VTK class has at most SETTABLE
 properties, which are counted by the Set... functions of its header, written out or from a macro of VTK.

@@ -4,9 +4,10 @@
 
     check_tidy.py BUILD_DIR [NAME ...]    with NAMEs: only files whose path contains one of them
 
-Kernels: Filters/{Mechanics,Contact,Laws,Strain,Solids,Identification}, Interactors/{Haptics,Transports,Trials}. Their *.cxx are compiled with the flags
-of BUILD_DIR/compile_commands.json. Several of them are compiled together, because nearly all the time is spent
-on the headers of Eigen and of the standard library. Their headers are checked where they are included.
+Kernels: Filters/{Mechanics,Contact,Laws,Strain,Solids,Identification}, Interactors/{Haptics,Transports,Trials}. Their
+*.cxx are compiled with the flags of BUILD_DIR/compile_commands.json. Several files are compiled together, because
+nearly all the time is spent on the headers of Eigen and of the standard library. Their headers are checked where they
+are included.
 
 Exit code: 0 no fault, 1 a fault was found (or there was nothing to check), 77 clang-tidy is missing.
 """
@@ -24,7 +25,7 @@ VERSION = 14
 KERNELS = ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Strain", "Filters/Solids",
            "Filters/Identification", "Interactors/Haptics", "Interactors/Transports", "Interactors/Trials")
 PARALLEL = 2
-GROUP = 24 # files that are read as one: 0.9 GB
+GROUP = 24 # files that are compiled together, which need 0.9 GB
 
 # The flags are for g++: clang does not know every warning, and its own warnings are not wanted
 # here.
@@ -32,7 +33,7 @@ CLANG_FLAGS = ("-Wno-unknown-warning-option", "-Wno-error")
 
 
 def find_tool():
-    """clang-tidy of this version; others ask for other things."""
+    """Finds clang-tidy of this version, because other versions have other checks."""
     for name in (f"clang-tidy-{VERSION}", "clang-tidy"):
         tool = shutil.which(name)
         if tool and f"version {VERSION}." in subprocess.run(
@@ -42,7 +43,7 @@ def find_tool():
 
 
 def compile_flags(build):
-    """The flags of every source file in compile_commands.json, whose paths are made absolute."""
+    """The flags of every source file in compile_commands.json. Paths are made absolute."""
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         words = shlex.split(entry["command"])
@@ -55,7 +56,7 @@ def compile_flags(build):
 
 
 def grouped_sources(file):
-    """The sources that CMake compiles as one by this file; none if it is a source itself."""
+    """The sources that CMake combines in this file; none if the file is a source itself."""
     if file.parent.name != "Unity":
         return []
     return [Path(name) for name in re.findall(r'^#include "(/.*)"', file.read_text(), re.MULTILINE)]
@@ -67,14 +68,14 @@ def kernel_files(root, names):
 
 
 def private_names(path):
-    """What a file may define for itself alone: names at the start of a line, or before '=' or '('."""
+    """The names that a file may define privately: names at the start of a line, or before '=' or '('."""
     text = path.read_text(encoding="utf-8")
     return set(re.findall(r"^(?:struct|class|enum class|enum|using) (\w+)", text, re.MULTILINE) +
                re.findall(r"^[a-z][^;=(]*?[ &*](\w+)(?: =|\(|{|\[)", text, re.MULTILINE))
 
 
 def grouped(files):
-    """Groups of files that can be read as one: no two define the same private name."""
+    """Groups of files that can be compiled together: no two files of a group define the same private name."""
     groups = []
     for path in files:
         names = private_names(path)
@@ -89,7 +90,7 @@ def grouped(files):
 
 
 def joined(files):
-    """The files one after the other, each under its own name and without the includes it repeats."""
+    """The files one after the other, each under its own name, without repeated includes."""
     lines, included = [], set()
     for path in files:
         own = path.read_text(encoding="utf-8").splitlines()
@@ -100,7 +101,7 @@ def joined(files):
 
 
 def tidy(tool, root, files, flags):
-    """(exit code, what clang-tidy says) about files that are compiled with the same flags."""
+    """The exit code and the output of clang-tidy for files that are compiled with the same flags."""
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder) / "joined.cxx"
         source.write_text(joined(files), encoding="utf-8")
@@ -110,8 +111,7 @@ def tidy(tool, root, files, flags):
 
 
 def check(tool, root, files, flags):
-    """The files of one kernel in which something was found. Those that cannot be read as one, after
-    all, are read alone."""
+    """The files of one kernel that have a fault. Files that cannot be compiled together are compiled separately."""
     offenders = []
     work = grouped(files)
     with ThreadPoolExecutor(PARALLEL) as pool:

@@ -27,14 +27,14 @@ ODD = re.compile("|".join((
     r"^\s*(?:///<?|//|\*)\s+Of (?:a|the|all|each|its|that|those|one|what)\b",
     r"\bwhere there (?:is|are) (?:none|no)\b",
     r"\bbut for\b|\bbut of\b|\bnone but\b|\banew\b|\bbeside\b|\bto and fro\b|\bat hand\b|\blets? go\b|\bnobody\b|\bsomebody\b")))
-MOST = 0.01                # of the lines of a folder
-FEW_LINES = 40             # a folder with fewer may have one odd line
+MOST = 0.01                # allowed share of the lines of a folder
+FEW_LINES = 40             # a folder with fewer lines may have one odd line
 TRAILING = re.compile(r"[;,{})]\s*(///?<?\s.*)$")
 SOURCE = Path(__file__).resolve().parents[2]
 
 
 def comment_blocks(text):
-    """(line number, lines) of each comment of a source in C or C++."""
+    """(line number, lines) of each comment of a C or C++ source."""
     lines, i = text.split("\n"), 0
     while i < len(lines):
         first, start = lines[i].strip(), i
@@ -52,7 +52,7 @@ def comment_blocks(text):
 
 
 def comment_lines(text):
-    """(line number, line) of each line of a comment that says something."""
+    """(line number, line) of each comment line that contains text."""
     for start, block in comment_blocks(text):
         for number, line in enumerate(block, start):
             if re.search(r"\w", line) and "SPDX" not in line:

@@ -9,9 +9,11 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 
 def block(size, spacing, ball=None, margin=0):
-    """A block of label 1, and 2 in a ball (x, y, depth of its top, radius; mm), in `margin` voxels of label 0.
+    """A block of label 1 with a ball of label 2, within `margin` voxels of label 0.
 
-    `size`: voxels along x, y and z. Without a margin the block extends by half a voxel beyond the first, at the origin.
+    `ball`: x, y, depth of its top, radius; mm.
+    `size`: number of voxels of the block along x, y and z. Without a margin the first voxel has its centre at the
+    origin, and the block extends beyond it by half a voxel.
     """
     z, y, x = (spacing * each for each in np.meshgrid(*map(np.arange, size[::-1]), indexing="ij"))
     labels = np.ones(size[::-1], np.int16)
@@ -37,7 +39,7 @@ def image(labels, spacing, origin=(0.0, 0.0, 0.0)):
 
 
 def write_nifti(path, labels, affine):
-    """NIfTI-1 of 16-bit labels; `affine`: 3 x 4, from the numbers of a voxel along x, y and z to mm."""
+    """NIfTI-1 of 16-bit labels. `affine`: 3 x 4 matrix from the indices of a voxel along x, y and z to mm."""
     header = bytearray(352)
     struct.pack_into("<i", header, 0, 348)
     struct.pack_into("<8h", header, 40, 3, *labels.shape[::-1], 1, 1, 1, 1)

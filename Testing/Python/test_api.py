@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """palpate.response, probe, curves and regime on numpy arrays: forces against closed forms, memory, errors, stubs.
 
-The body is a plate whose facets are in the plane z = 0, facing +z: a tip at (x, y, -d) is d deep with any mesh.
+The body is a plate with facets in the plane z = 0, facing +z. A tip at (x, y, -d) is d deep, whatever the mesh.
 """
 import ast
 import contextlib
@@ -33,14 +33,14 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 YOUNG, POISSON = 0.1, 0.45                                # the defaults
 REDUCED = YOUNG / (1 - POISSON**2)
-# Curves are stored as floats: the error of forces is half a unit in the last place of sample and
-# slope.
+# Curves are stored as floats. The error of forces is half a unit in the last place of the sample
+# and of the slope.
 STORED = 2e-7
 
 
 @contextlib.contextmanager
 def _environment(**values):
-    """Sets environment variables for a while."""
+    """Sets environment variables temporarily."""
     before = {name: os.environ.get(name) for name in values}
     os.environ.update(values)
     try:
@@ -72,14 +72,15 @@ def ball(radius=50.0):
 
 
 def scattered(count, seed=1):
-    """Tips just above and under a ball of 50 mm."""
+    """Random tips just above and below the surface of a ball of 50 mm."""
     random = np.random.default_rng(seed)
     direction = random.normal(size=(count, 3))
     return (50.2 - 1.5 * random.random((count, 1))) * direction / np.linalg.norm(direction, axis=1)[:, None]
 
 
 def tabulated_stacks(name="", kind=""):
-    """(tool, depth, force over that on a half-space) and what palpate.response wants of the stack."""
+    """(tool, depth, ratio of the force to that on a half-space), and the arguments of palpate.response for the
+    stack."""
     folder = Path(__file__).parents[2] / "Data/Reference/deep"
     stacks = {}
     for row in csv.DictReader((folder / "stack_definitions.csv").read_text(encoding="utf-8").splitlines()):
@@ -101,7 +102,7 @@ def tabulated_stacks(name="", kind=""):
 
 
 def half_space_force(tool, depth, stack):
-    """Of a tool on a half-space of the first layer."""
+    """Force on a tool on a half-space of the first layer, N."""
     law = vtkContactTool()
     law.SetSpecification(tool)
     return law.GetForce(depth, stack["young"] / (1 - stack["poisson"] ** 2))
@@ -112,7 +113,7 @@ def address(array):
 
 
 def run_script(text):
-    """In a Python of its own, in a folder with files that are no bodies."""
+    """Runs a script in a separate Python, in a folder with files that are not bodies."""
     with tempfile.TemporaryDirectory() as folder:
         for end in ("vtp", "ply", "vtk"):
             Path(folder, "broken." + end).write_text("nothing of the kind\n", encoding="utf-8")
@@ -161,29 +162,32 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool="paraboloid:5", poisson=0.3)
         depths = np.array([0.4, 1.0, 2.0])
         felt = palpate.probe(body, np.column_stack([0.3 + 0 * depths, 0.7 + 0 * depths, -depths]))
-        # K s of the mean pressure, s = 4/(3 pi) sqrt(d/R) (Hertz), and the remaining error.
+        # The error is K s for the mean pressure, with s = 4/(3 pi) sqrt(d/R) (Hertz), plus a
+        # remaining error of 0.1 s^2.
         s = 4 / (3 * math.pi) * np.sqrt(depths / 5)
-        # Linear interpolation over sqrt(d) between samples, 0.0335 apart in s: the error of the
-        # square is 0.1 * 0.0335**2 / 4.
+        # Linear interpolation over sqrt(d) between samples that are 0.0335 apart in s gives an
+        # error of the square of 0.1 * 0.0335**2 / 4.
         np.testing.assert_allclose(felt.error, (-0.148 + 0.61 * 4 / 7) * s + 0.1 * s**2, atol=2.9e-5)
-        np.testing.assert_allclose(palpate.curves(body, 220, depths).error, felt.error, atol=1e-7)  # mid-plate
+        # In the middle of the plate.
+        np.testing.assert_allclose(palpate.curves(body, 220, depths).error, felt.error, atol=1e-7)
         without = palpate.response(plate(), tool="paraboloid:5", error_tolerance=0)
         self.assertTrue(np.isnan(palpate.probe(without, [0.3, 0.7, -1.0]).error).all())
         self.assertTrue(np.isnan(palpate.curves(without, 60, 1.0).error).all())
 
     def test_a_curved_body_is_a_sharper_tool(self):
-        # Hertz: 1/R + 1/R_b. Without the curvature correction the law of the tool alone.
+        # Hertz with 1/R + 1/R_b. Without the curvature correction it is the law of the tool alone.
         body = ball()
         for curvature, radius in ((True, 1 / (1 / 5 + 1 / 50)), (False, 5.0)):
             felt = palpate.curves(palpate.response(body, "paraboloid:5", YOUNG, POISSON, curvature=curvature,
                                                    compliance=None), 60, 1.0)
             # Hertz without curvature differs by 4.7 %. The error of the mesh's curvature is some
-            # per cent of that.
+            # per cent of this difference.
             np.testing.assert_allclose(felt.force, 4 / 3 * REDUCED * math.sqrt(radius), rtol=0.005)
 
     def test_several_tools_and_a_body_that_changes_in_place(self):
-        """What several tools share is found by content: a body whose memory changes is another body. Hertz, with the
-        curvatures of tool and ball; 0.01 is the error of the curvature that a mesh states (SurfaceCurvature.h)."""
+        """Data that several tools share are identified by their content, so a body whose memory changes is a new body.
+        Expected: Hertz with the curvatures of tool and ball. 0.01 is the error of the curvature that a mesh gives
+        (SurfaceCurvature.h)."""
         source = vtkSphereSource()
         source.SetRadius(20)
         source.SetThetaResolution(80)
@@ -211,12 +215,14 @@ class ClosedForms(unittest.TestCase):
         # Hetenyi's quarter space at nu = 0.45: Phi(0) = 0.3547, chi(0) = 0.1482 (Data/Reference/edges).
         self.assertAlmostEqual(at_edge[2], 0.3547, delta=0.004)
         self.assertAlmostEqual(at_edge[0] * math.sqrt(5), 0.1482, delta=0.004)
-        self.assertLess(np.abs(np.diff(felt, axis=0)).max(), 0.01)      # ticks of 0.02 mm
+        self.assertLess(np.abs(np.diff(felt, axis=0)).max(), 0.01)      # tips are 0.02 mm apart
         self.assertEqual(np.abs(felt[-1]).max(), 0)
-        # A press on a place of the upper face stays on that face, as on a path, although the side is nearer.
+        # A press on a place of the upper face stays on that face, as on a path, even where the side
+        # is nearer.
         press = palpate.probe(body, np.array([[199.9, 77.7, 200.0], [199.3, 77.7, 200.0]]), indentation=1.0)
         np.testing.assert_allclose(press.forces, felt[[995, 965]] * (4 / 3 * REDUCED * math.sqrt(5)), rtol=1e-6, atol=1e-9)
-        # So does a press on the edge itself, on a corner, and one of several tools.
+        # The same applies to a press on the edge itself, on a corner, and to a press of several
+        # tools.
         on_edge = palpate.probe(body, np.vstack([corners, [[200.0, 77.7, 200.0]]]), indentation=1.0)
         self.assertTrue((on_edge.normal_force > 0.0).all())
         pair = palpate.response((corners, faces), "paraboloid:5", YOUNG, POISSON, curvature=False, edges=True, coupling=True)
@@ -231,14 +237,14 @@ class ClosedForms(unittest.TestCase):
         body = palpate.response(plate(), tool="paraboloid:5", relax=[(0.5, 0.1), (0.3, 2)])
         read = palpate.contract.relaxation(body)
         self.assertEqual((list(read["strength"]), list(read["time"]), read["elastic"]), ([0.5, 0.3], [0.1, 2.0], None))
-        # Without times, and for single tips, the response is the slow one.
+        # Without times, and for single tips, the response is the slow response.
         tips = np.column_stack([np.full(9, 0.3), np.full(9, 0.7), np.linspace(0.1, -0.7, 9)])
         for path in (False, True):
             felt = palpate.probe(body, tips, path=path)
             np.testing.assert_array_equal(felt.memory, 0)
             np.testing.assert_array_equal(felt.forces, palpate.probe(still, tips, path=path).forces)
         # A flat end pressed at a constant speed (Lee and Radok 1960), in steps of a hundredth of
-        # the time.
+        # the relaxation time.
         flat = palpate.response(plate(), tool="flat:2", relax=[(0.5, 0.1)])
         time = np.arange(0, 0.2505, 0.001)
         path = np.column_stack([np.full(time.size, 0.3), np.full(time.size, 0.7), -time])
@@ -272,7 +278,8 @@ class ClosedForms(unittest.TestCase):
     def test_a_law_has_what_the_force_needs(self):
         # c of a 60 degree cone is 1.075 at nu = 0.3 and 0.994 at 0.45 (another code).
         tips = np.array([[0.3, 0.7, -0.5]])
-        # At 0.45 small strain states an error of 1.9 %, which is less than 5 % and more than 1 %.
+        # At 0.45 the stated error of small strain is 1.9 %, which is less than 5 % and more than 1
+        # %.
         kept, spared = "Neo-Hooke\\) is in the law", "small strain suffices"
         for poisson, tolerance, words, expected, delta in ((0.3, 0.05, kept, 1.075, 0.005), (0.45, 0.05, spared, 1.0, 0.0),
                                                            (0.3, True, kept, 1.075, 0.005), (0.45, True, kept, 0.994, 0.005)):
@@ -294,8 +301,8 @@ class ClosedForms(unittest.TestCase):
             self.assertEqual(body.GetFieldData().GetArray("ResponseLayerStack").GetNumberOfTuples(), 1 + len(layers))
 
     def test_stacks_as_tabulated(self):
-        # Sphere, flat and cone on seven stacks, from another code whose two methods agree to
-        # 2.2e-5.
+        # Sphere, flat and cone on seven stacks. The reference is another code, whose two methods
+        # agree to 2.2e-5.
         compared = 0
         for row, stack in tabulated_stacks():
             tool, depth, expected = row
@@ -307,8 +314,8 @@ class ClosedForms(unittest.TestCase):
         self.assertEqual(compared, 119)
 
     def test_maps_of_two_thicknesses_as_tabulated(self):
-        # The requirement for maps is 1e-3. Here the thicknesses vary by 2 and 2.7 around those of
-        # the table.
+        # The requirement for maps is 1e-3. Here the thicknesses vary around those of the table by
+        # factors of 2 and 2.7.
         spread = np.linspace(-1, 1, 9)
         for row, stack in list(tabulated_stacks("stiff_skin", "sphere"))[::3] + list(
                 tabulated_stacks("skin_slip", "cone"))[::2]:
@@ -329,7 +336,7 @@ class ClosedForms(unittest.TestCase):
             os.environ["PALPATE_CACHE"] = folder
             try:
                 for given in ({"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]},
-                              {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # the second time from the cache
+                              {"layer": 2.5, "layers": [(5.0, YOUNG, POISSON)]}):  # the second call uses the cache
                     stack = palpate.probe(palpate.response(plate(), strain="neo-hooke", **given), tips).forces[:, 2]
                     one = palpate.probe(palpate.response(plate(), strain="neo-hooke", layer=7.5), tips).forces[:, 2]
                     small = palpate.probe(palpate.response(plate(), layer=7.5), tips).forces[:, 2]
@@ -372,12 +379,12 @@ class ClosedForms(unittest.TestCase):
         force = palpate.probe(body, [0.3, 0.7, -depth]).forces[0, 2]
         tool = vtkContactTool()
         tool.SetSpecification("sphere:5")
-        # Eight samples of an exact sphere: an error of at most 2e-4.
+        # Eight samples of an exact sphere have an error of at most 2e-4.
         self.assertAlmostEqual(force, tool.GetForce(depth, REDUCED), delta=2e-4 * force)
 
 
 class Coupled(unittest.TestCase):
-    """Flat ends of 2 mm on a half-space: F = 2 E* a d, and Boussinesq's 1/(pi E* r) between them."""
+    """Flat ends of 2 mm on a half-space: F = 2 E* a d, and Boussinesq's 1/(pi E* r) between the ends."""
 
     def compliances(self, apart):
         own, other = 1 / (2 * REDUCED * 2), 1 / (math.pi * REDUCED * apart)
@@ -395,15 +402,15 @@ class Coupled(unittest.TestCase):
         forces, stiffness = felt
         np.testing.assert_array_equal(forces, felt.forces)
         np.testing.assert_array_equal(stiffness, felt.stiffness)
-        # For linear springs: the inverse of the compliances, equal to the difference of two
-        # presses.
+        # For linear springs the stiffness is the inverse of the compliances, and equals the
+        # difference of two presses.
         np.testing.assert_allclose(stiffness, np.linalg.inv(self.compliances(6.0)), rtol=2e-6)
         deeper = palpate.probe(body, tips - [[0, 0, 0], [0, 0, 0.1]], coupled=True)
         np.testing.assert_allclose((deeper.normal_force - felt.normal_force) / 0.1, stiffness[:, 1], rtol=1e-5)
         again = pickle.loads(pickle.dumps(felt))
         np.testing.assert_array_equal(again.stiffness, stiffness)
         np.testing.assert_array_equal(again.normal_force, felt.normal_force)
-        # A tool in the air has no stiffness and does not change the other.
+        # A tool without contact has no stiffness and does not change the other tool's stiffness.
         lifted = palpate.probe(body, tips + [[0, 0, 0], [0, 0, 1.0]], coupled=True).stiffness
         np.testing.assert_allclose(lifted, [[2 * REDUCED * 2, 0], [0, 0]], rtol=2e-6)
         # Tips are paired by their times; each pair is independent.
@@ -433,7 +440,7 @@ class Coupled(unittest.TestCase):
         np.testing.assert_array_equal(without.torque, np.zeros((1, 3)))
         np.testing.assert_array_equal(without.tilt, [0])
         self.assertEqual((upright.torque.shape, upright.tilt.shape), ((1, 3), (1,)))
-        np.testing.assert_allclose(upright.torque, 0, atol=1e-9)        # upright: none
+        np.testing.assert_allclose(upright.torque, 0, atol=1e-9)        # an upright tool has no torque
         np.testing.assert_array_equal(upright.forces, without.forces)
         each = palpate.probe(body, [tip, tip], axis=[[0, 0, 1], [0, 0, 2]])
         np.testing.assert_array_equal(each.forces[0], each.forces[1])
@@ -444,18 +451,19 @@ class PerPoint(unittest.TestCase):
         points, triangles = plate()
         young = 0.02 + 0.001 * np.arange(len(points))
         body = palpate.response((points, triangles), tool="flat:3", young=young, poisson=0.3)
-        chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # for chosen points the curves are theirs
+        chosen = np.array([21 * 10 + 10, 21 * 5 + 7])      # curves are for chosen points
         felt = palpate.probe(body, points[chosen] - [0, 0, 0.8])
         np.testing.assert_allclose(felt.forces[:, 2], 2 * young[chosen] / (1 - 0.09) * 3 * 0.8, rtol=STORED)
 
     def test_compliance_of_the_whole_body(self):
-        # A rod of 60 mm that stands on its end: pressed at the other one it shortens by L/(E A), and the contact is local.
+        # A rod of 60 mm stands on its end. A press on the other end shortens the rod by L/(E A), in
+        # addition to the local dent.
         side, length = 24.0, 60.0
         points = np.array([(x, y, z) for z in (0.0, length) for y in (-side / 2, side / 2) for x in (-side / 2, side / 2)]
                           + [(0.0, 0.0, length)])
         triangles = [(0, 2, 3), (0, 3, 1), (0, 1, 5), (0, 5, 4), (1, 3, 7), (1, 7, 5), (3, 2, 6), (3, 6, 7), (2, 0, 4), (2, 4, 6),
                      (4, 5, 8), (5, 7, 8), (7, 6, 8), (6, 4, 8)]
-        finer = vtkLinearSubdivisionFilter()  # triangles of 3 mm: large ones would count in the error
+        finer = vtkLinearSubdivisionFilter()  # triangles of 3 mm, because larger triangles would increase the error
         finer.SetInputData(palpate.response((points, np.array(triangles)), compliance=None))
         finer.SetNumberOfSubdivisions(3)
         finer.Update()
@@ -474,11 +482,11 @@ class PerPoint(unittest.TestCase):
             found.Update()
             arrays = found.GetOutput().GetPointData()
             self.assertEqual(found.GetHeldAt(), "z-")
-            rod = length / (YOUNG * side**2)  # and what the end itself gives way near the contact, less than 1/(E side)
+            rod = length / (YOUNG * side**2)  # the end also yields near the contact, by less than 1/(E side)
             compliance, error = (arrays.GetArray(name).GetValue(8) for name in ("GlobalCompliance", "GlobalComplianceError"))
             self.assertGreater(compliance + error, rod)
             self.assertLess(compliance - error, rod + 1.0 / (YOUNG * side))
-            self.assertLess(error, rod)  # of few cells
+            self.assertLess(error, rod)  # error by the small number of cells
             made = palpate.response(body, "sphere:6.35", young=YOUNG, poisson=POISSON, maximum_deflection=1.0, compliance=True)
             model = made.GetFieldData().GetAbstractArray("ResponseModel").GetValue(0)
             self.assertIn("global compliance, held at", model)
@@ -488,7 +496,8 @@ class PerPoint(unittest.TestCase):
                             alone.GetPointData().GetArray("ResponseForce").GetComponent(8, 7))
 
     def test_few_large_triangles_have_no_compliance(self):
-        # At the corners of a cube the body yields much, between them little: blended it would be wrong everywhere else.
+        # A cube yields much more at its corners than between them. Interpolation between the
+        # corners would be wrong everywhere else.
         corners = np.array([(x, y, z) for z in (0.0, 200.0) for y in (0.0, 200.0) for x in (0.0, 200.0)])
         triangles = np.array([(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (1, 3, 7), (1, 7, 5), (3, 2, 6),
                               (3, 6, 7), (2, 0, 4), (2, 4, 6)])
@@ -496,7 +505,7 @@ class PerPoint(unittest.TestCase):
             made = palpate.response((corners, triangles), "sphere:5", YOUNG, POISSON, curvature=False)
         self.assertFalse(made.GetPointData().HasArray("GlobalCompliance"))
         inside = [77.7, 93.1, 199.0]
-        # 1/sqrt(R E*) as on a half-space: the cube is 80 contact radii wide.
+        # The force is that on a half-space, because the cube is 80 contact radii wide.
         self.assertAlmostEqual(palpate.probe(made, inside).normal_force[0], 4 / 3 * REDUCED * math.sqrt(5), delta=0.01)
 
     def test_poisson_and_compliance_per_point(self):
@@ -515,7 +524,8 @@ class PerPoint(unittest.TestCase):
         for value in (5.0, 9.0):
             alone = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=value))
             here = thickness == value
-            # Laws of layers come from a table over thickness. The tables' ends differ: 1e-4.
+            # Laws of layers are interpolated in a table over thickness. The ends of the tables
+            # differ: 1e-4.
             np.testing.assert_allclose(mixed.force[here], alone.force[here], rtol=1e-4)
         slip = palpate.curves(palpate.response((points, triangles), "paraboloid:5", layer=5.0, base="slip"))
         self.assertTrue((slip.force[:, 1:] < alone.force[:, 1:] * 2).all())
@@ -568,7 +578,8 @@ class Bodies(unittest.TestCase):
         derived = Derived()
         derived.ShallowCopy(data)
         np.testing.assert_array_equal(self.felt(derived), expected)
-        # Without normals in the source they are angle-weighted, as for the same data as arrays.
+        # Without normals in the source, the normals are angle-weighted, as for the same data as
+        # arrays.
         triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         points = vtk_to_numpy(data.GetPoints().GetData())
         bare = vtkPolyData()
@@ -594,7 +605,7 @@ class Bodies(unittest.TestCase):
             writer.SetFileName(stl)
             writer.SetFileTypeToBinary()
             writer.Write()
-            # An STL file has no normals, so the normals come from the facets: 1e-3.
+            # An STL file has no normals, so the normals come from the facets: an error of 1e-3.
             np.testing.assert_allclose(self.felt(stl), self.felt(source), atol=2e-3)
 
     def test_raw_binary_data_is_read(self):
@@ -604,7 +615,7 @@ class Bodies(unittest.TestCase):
         writer.SetDataModeToAppended()
         writer.EncodeAppendedDataOff()          # as ParaView saves; VTK's reader in Debian 12 may fail on appended data
         with tempfile.TemporaryDirectory() as folder:
-            for blanks in range(0, 1000, 97):   # blanks in the header, on whose length the failure depends
+            for blanks in range(0, 1000, 97):   # blanks in the header; the failure depends on its length
                 name = os.path.join(folder, "ball.vtp")
                 writer.SetFileName(name)
                 writer.Write()
@@ -658,7 +669,7 @@ class Memory(unittest.TestCase):
             forces = palpate.probe(body, np.array(tips)).forces
             del body, junk
             gc.collect()
-            palpate.probe(palpate.response(plate(3)), tips)               # another body is probed in between
+            palpate.probe(palpate.response(plate(3)), tips)               # another body is probed before
             np.testing.assert_allclose(forces, expected, rtol=1e-12)
 
     def test_the_search_structure_is_kept_and_let_go(self):
@@ -669,7 +680,8 @@ class Memory(unittest.TestCase):
         second = palpate.probe(body, scattered(7))
         self.assertIs(_probe._prepared._kept[0][2], kept)
         self.assertEqual((len(first.forces), len(second.forces)), (5, 7))
-        body.GetPointData().GetArray("ResponseForce").Fill(0.0)           # changed, so it must be read again
+        # The array has changed, so it must be read again.
+        body.GetPointData().GetArray("ResponseForce").Fill(0.0)
         body.GetPointData().GetArray("ResponseStiffness").Fill(0.0)
         body.Modified()
         self.assertEqual(palpate.probe(body, [0.3, 0.7, -0.5]).forces.tolist(), [[0, 0, 0]])
@@ -680,7 +692,7 @@ class Memory(unittest.TestCase):
 
 class Probing(unittest.TestCase):
     def test_one_by_one_and_all_at_once(self):
-        """However tips are ordered inside, each is felt as if it were alone, to the bit."""
+        """Tips are sorted internally. Each result is bitwise equal to that of a separate call with one tip."""
         body = palpate.response(ball(), "paraboloid:5", compliance=None)
         tips = scattered(3000)
         tips[17] = np.nan
@@ -717,8 +729,8 @@ class Probing(unittest.TestCase):
                              time=np.arange(41.0))
         normal = 2 * YOUNG / 0.75 * 3
         np.testing.assert_allclose(felt.normal_force, normal, rtol=STORED)
-        np.testing.assert_allclose(felt.friction[1:4, 0], -0.4 * tips[1:4, 0], atol=1e-12)  # it sticks
-        self.assertAlmostEqual(felt.friction[40, 0], -0.5 * normal, delta=1e-6)             # it slides
+        np.testing.assert_allclose(felt.friction[1:4, 0], -0.4 * tips[1:4, 0], atol=1e-12)  # the contact sticks
+        self.assertAlmostEqual(felt.friction[40, 0], -0.5 * normal, delta=1e-6)             # the contact slides
         self.assertEqual([felt.contact_state[1], felt.contact_state[40]], [1, 2])
         # The filter on a polyline gives the same.
         points, line, data = vtkPoints(), vtkCellArray(), vtkPolyData()
@@ -770,7 +782,7 @@ class CurvesAndRegime(unittest.TestCase):
         material = {"young": YOUNG, "poisson": POISSON, "compliance": compliance}
         body = palpate.response((points, triangles), "flat:3", **material)
         found = palpate.regime(body, deflection=0.8, **material)
-        # F = k d / (1 + k C): the dent is F / k, and dlnF/dlnR = 1 / (1 + k C).
+        # F = k d / (1 + k C): the local deflection is F / k, and dlnF/dlnR = 1 / (1 + k C).
         share = 1 / (1 + 2 * REDUCED * 3 * compliance)
         np.testing.assert_allclose(found.index, 1 - share, atol=1e-5)
         np.testing.assert_allclose(found.sensitivity, share, atol=1e-5)

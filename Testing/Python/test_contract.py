@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.contract, the data contract in numpy, against the kernel: vtkResponseCurves for single
-points, vtkToolContactProbe for blends and beyond the range. Random bodies, both storage forms.
+"""palpate.contract implements the data contract in numpy. It is compared with the kernel: with vtkResponseCurves at
+single points, and with vtkToolContactProbe between points and beyond the range. Random bodies, both storage forms.
 
-Both sides read the same float32 arrays and calculate in double, but in another order. TOLERANCE allows
-1e-12 of the largest sample of a curve: some 1e-16 per operation, times the differences of
-neighbouring samples, weighted by up to (n/i)^(2m) near the tip.
+Both sides read the same float32 arrays and calculate in double, but in another order. TOLERANCE allows 1e-12 of the
+largest sample of a curve: about 1e-16 per operation, times the differences of neighbouring samples, weighted by up to
+(n/i)^(2m) near the tip.
 """
 import math
 import os
@@ -34,7 +34,7 @@ def add_array(data, name, values):
 
 
 def random_body(random, exponent, samples, laws=0, ranges=(0.5, 2.0)):
-    """A ball whose points have unrelated, rising curves; compact if laws > 0."""
+    """A ball whose points have independent, increasing curves. The compact form is used if laws > 0."""
     source = vtkSphereSource()
     source.SetRadius(RADIUS)
     source.SetThetaResolution(12)
@@ -91,8 +91,8 @@ def area_coordinates(body, cell, point):
 
 
 class AgainstTheTable(unittest.TestCase):
-    """Filters/Contact/ResponseContract.h, the table that all of the C++ asks, against what filters attach
-    and what palpate.contract reads."""
+    """Compares Filters/Contact/ResponseContract.h, the table that all C++ code uses, with the arrays that filters
+    attach and with those that palpate.contract reads."""
 
     ROW = re.compile(r"PALPATE_ARRAY\((\w+), *(\w+), *(\w+), *(\w+), *(\w+), *\"")
     TYPES = {"Float": "float", "Double": "double", "Int": "int", "UnsignedChar": "unsigned char",
@@ -149,7 +149,8 @@ class AgainstTheTable(unittest.TestCase):
                     if use == absent:
                         self.assertIsNone(array)
                         continue
-                    if use == "Remark" or name in ("LayerStack", "SecondThickness"):  # of other filters, and of stacks
+                    # Arrays of other filters, and of stacks.
+                    if use == "Remark" or name in ("LayerStack", "SecondThickness"):
                         self.assertEqual(array is not None, name.startswith("Reduction") and filter is compact)
                         continue
                     self.assertIsNotNone(array)
@@ -200,7 +201,8 @@ class AgainstTheTable(unittest.TestCase):
 
 class Coupling(unittest.TestCase):
     def pressed(self, **material):
-        """Two flat ends at two points of a plate, and what the contract makes of them: the linear system."""
+        """Presses two flat ends at two points of a plate, and compares the forces with the linear system of the
+        contract."""
         x, y = np.meshgrid(np.arange(9) * 3.0, np.arange(9) * 3.0)
         points = np.column_stack([x.ravel(), y.ravel(), np.zeros(81)])
         corner = (np.arange(8)[:, None] * 9 + np.arange(8)).ravel()
@@ -216,8 +218,8 @@ class Coupling(unittest.TestCase):
         self.assertAlmostEqual(between, contract.coupling(body)(other, one), places=12)
         own = 0.2 / alone.normal_force
         expected = np.linalg.solve([[own[0], between], [between, own[1]]], [0.2, 0.2])
-        # The curve of a flat end is a straight line, stored as floats, like the normals of the
-        # points.
+        # The curve of a flat end is a straight line. It is stored as floats, like the normals of
+        # the points.
         np.testing.assert_allclose(together, expected, rtol=2e-6)
         return body, between
 
@@ -234,13 +236,13 @@ class Coupling(unittest.TestCase):
     def test_modes_add_up(self):
         body = random_body(np.random.default_rng(2), 1.5, 8)
         modes = np.random.default_rng(5).normal(size=(body.GetNumberOfPoints(), 3)).astype(np.float32)
-        add_array(body.GetFieldData(), "Coupling", np.zeros((1, 3)))                     # no surface
+        add_array(body.GetFieldData(), "Coupling", np.zeros((1, 3)))                     # without a surface
         add_array(body.GetPointData(), "CouplingModes", modes)
         self.assertAlmostEqual(contract.coupling(body)(3, 7), float(modes[3].astype(float) @ modes[7]), places=6)
 
 
 class Tilts(unittest.TestCase):
-    """palpate.tilts against the probe: force and torque are derivatives of one work."""
+    """palpate.tilts compared with the probe: force and torque are derivatives of one work."""
 
     def felt(self, body, depth, angle):
         tips, points = vtkPolyData(), vtkPoints()
@@ -290,7 +292,7 @@ class Tilts(unittest.TestCase):
                 force, torque = self.felt(body, depth, angle)
                 by_depth = (work(depth + step, angle) - work(depth - step, angle)) / (2 * step)
                 by_angle = (work(depth, angle + step) - work(depth, angle - step)) / (2 * step)
-                with self.subTest(tool=tool, depth=depth):     # central differences of a sum of 4000 trapezia
+                with self.subTest(tool=tool, depth=depth):     # central differences of a sum of 4000 trapezoids
                     self.assertAlmostEqual(force, by_depth, delta=2e-4 * max(force, 1e-3))
                     self.assertAlmostEqual(torque, by_angle, delta=5e-4 * max(abs(torque), 1e-3))
 
@@ -302,7 +304,7 @@ class Relaxation(unittest.TestCase):
     def test_it_reads_what_was_written(self):
         body = random_body(np.random.default_rng(2), 1.5, 8)
         self.assertIsNone(contract.relaxation(body))
-        add_array(body.GetFieldData(), "RelaxationStrength", np.array([[0.5, 0.25]]))     # one tuple of two
+        add_array(body.GetFieldData(), "RelaxationStrength", np.array([[0.5, 0.25]]))     # one tuple of two components
         add_array(body.GetFieldData(), "RelaxationTime", np.array([0.1, 2.0]))
         read = contract.relaxation(body)
         self.assertEqual(list(read["strength"]), [0.5, 0.25])
@@ -327,7 +329,7 @@ class AgainstTheKernel(unittest.TestCase):
                 ids = list(range(0, body.GetNumberOfPoints(), 7))
                 for i in ids:
                     curves.AddPointId(i)
-                curves.SetNumberOfRows(211)  # several below the first sample
+                curves.SetNumberOfRows(211)  # several rows are below the first sample
                 curves.Update()
                 table = curves.GetOutput()
                 depth = vtk_to_numpy(table.GetColumn(0))
@@ -357,7 +359,7 @@ class AgainstTheKernel(unittest.TestCase):
                     ids, weights = area_coordinates(body, get("ContactCell")[i], get("ContactPoint")[i])
                     force, _ = contract.evaluate(response, ids, depth)
                     scale = np.abs(force).max() + np.abs(response["force"][ids]).max()
-                    # Weights come from coordinates of 20 mm on facets of 10 mm.
+                    # Weights are computed from coordinates of 20 mm on facets of 10 mm.
                     self.assertAlmostEqual(get("NormalForce")[i], weights @ force,
                                            delta=10 * TOLERANCE * scale)
                     beyond = (depth > response["range"][ids]).any()
@@ -396,8 +398,9 @@ class ByDefinition(unittest.TestCase):
                 force, stiffness = contract.evaluate(response, points, depth)
                 np.testing.assert_allclose(force, response["force"], rtol=1e-12)
                 np.testing.assert_allclose(stiffness, response["stiffness"], rtol=1e-12)
-                # Central differences: error h² F'''/6 and 1e-16 F/h, with h = 1e-6 of the depth.
-                # Only between the samples, since the second derivative jumps at samples.
+                # Central differences have an error of h² F'''/6 and 1e-16 F/h, with h = 1e-6 of the
+                # depth. They are compared only between samples, because the second derivative jumps
+                # at samples.
                 middle = reach * ((np.arange(0, samples + 2) + 0.5) / samples) ** 2
                 step = 1e-6 * middle
                 above, _ = contract.evaluate(response, points, middle + step)
@@ -415,7 +418,7 @@ class ByDefinition(unittest.TestCase):
         self.assertEqual(force[2], response["force"][0, -1])
         self.assertAlmostEqual(force[3], force[2] + 0.5 * stiffness[2], delta=1e-14)
         self.assertTrue(math.isnan(force[4]))
-        response["force"][0, 0] = 0.0  # q = 0: no force below the first sample
+        response["force"][0, 0] = 0.0  # q = 0: there is no force below the first sample
         force, stiffness = contract.evaluate(response, 0, reach / 100)
         self.assertEqual((float(force), float(stiffness)), (0.0, 0.0))
 
@@ -425,7 +428,7 @@ class ByDefinition(unittest.TestCase):
         self.assertEqual(force.shape, (4, 5))
         self.assertEqual(stiffness.shape, (4, 5))
         one, _ = contract.evaluate(response, 2, 0.25)
-        # numpy's vector and scalar powers differ in the last bit
+        # numpy's vector and scalar powers differ in the last bit.
         self.assertAlmostEqual(float(one), force[2, 1], delta=1e-15)
 
     def test_missing_arrays_are_named(self):

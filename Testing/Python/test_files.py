@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of bodies and scans: any damaged file is refused with a message; unusual but valid files are read correctly."""
+"""Files of bodies and scans: any damaged file is refused with a message. Unusual but valid files are read correctly."""
 import gzip
 import os
 import random
@@ -25,8 +25,10 @@ from bodies import lump, nifti  # noqa: E402
 CORNERS = np.array([[-10, -10, 0], [10, -10, 0], [0, 10, 0], [0, 0, 20]], dtype=float)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 VERTICES = "".join("v %g %g %g\n" % tuple(corner) for corner in CORNERS)
-DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))   # of each kind that VTK reads, each in its own process
-OURS = (".stl", ".obj")                                       # read by Palpate in this process: ten times as many
+# Files of each kind that VTK reads, each read in its own process.
+DAMAGED = int(os.environ.get("PALPATE_DAMAGED_FILES", "8"))
+# Kinds that Palpate reads, in this process; ten times as many files.
+OURS = (".stl", ".obj")
 
 
 def skin_of(image, contour=50.0):
@@ -176,7 +178,8 @@ class Faults(Files):
             palpate.response(vtkImageData())
 
     def test_files_that_are_damaged_anyhow(self):
-        """Refused in words, or a body whose forces are finite. What crashes ends this program."""
+        """A damaged file is refused with a message, or gives a body whose forces are finite. A crash would end this
+        program."""
         random.seed(7)
         for name, content in self.seeds():
             read = refused = 0
@@ -216,7 +219,7 @@ class Faults(Files):
 
     @staticmethod
     def damaged(content):
-        """Some bytes or numbers changed, a piece left out, twice there or moved; half of it near the start."""
+        """Changes some bytes or numbers, or omits, repeats or moves a part. Half of the changes are near the start."""
         made = bytearray(content)
         for _ in range(random.choice((1, 1, 2, 4))):
             at = random.randrange(min(len(made), random.choice((400, len(made)))))
@@ -306,7 +309,7 @@ class Obj(Files):
 
 
 class Nifti(Files):
-    """The skin of a scan lies where the header puts it: that of the voxels, moved by the header's own matrix."""
+    """The header places the skin of a scan. The skin is that of the voxels, moved by the header's matrix."""
 
     def setUp(self):
         super().setUp()
@@ -340,8 +343,8 @@ class Nifti(Files):
                 found = skin_of(self.image(gzip.compress(content) if file.endswith("gz") else content, file))
                 place = points_of(self.plain) @ matrix[:, :3].T + matrix[:, 3]
                 size = np.abs(np.linalg.det(matrix[:, :3])) ** (1 / 3)
-                # In reversed slices the smoothing uses other triangles: a difference of a fifth of
-                # a voxel at the creases. Wrong axes would give several voxels.
+                # In reversed slices the smoothing uses other triangles, which gives a difference of
+                # a fifth of a voxel at the creases. Wrong axes would give several voxels.
                 off = apart(place[::7], found) / size
                 self.assertLess(off.max(), 0.3)
                 self.assertLess(off.mean(), 0.05)
@@ -356,12 +359,13 @@ class Nifti(Files):
             # Stored as integers: an error of at most 1.
             np.testing.assert_allclose(vtk_to_numpy(image.GetPointData().GetScalars()),
                                        (stored * scale[0] + scale[1]).ravel(order="F"), atol=1.01 * scale[0] + 1e-5)
-        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 means: not scaled
+        image = self.image(nifti(lump(), scale=(0.0, 5.0)))         # a slope of 0 means that the values are not scaled
         np.testing.assert_array_equal(vtk_to_numpy(image.GetPointData().GetScalars()),
                                       lump().ravel(order="F").astype(np.float32))
 
     def test_layers_and_materials_follow_it(self):
-        """Over a ball of bone, and the halves of a block, alike in a scan that is stored turned over."""
+        """Thickness over a ball of bone, and materials of the halves of a block, are correct in a scan that is stored
+        in reverse."""
         left = np.array([[-1.0, 0, 0, 33], [0, 1, 0, 0], [0, 0, 1, 0]])
         x, y, z = np.ogrid[:34, :34, :34]
         away = np.sqrt((x - 15.0) ** 2 + (y - 16.0) ** 2 + (z - 17.0) ** 2)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkGradedBody and vtkVoxelBody: sizes that they choose from the body, and the same bits in every process."""
+"""vtkGradedBody and vtkVoxelBody: the sizes chosen from the body, and the same bits in every process."""
 import hashlib
 import math
 import subprocess
@@ -18,7 +18,7 @@ PROCESSES = 5
 
 
 def box():
-    """30 x 30 x 20 mm, in triangles of some mm whose corners lie on common circles."""
+    """A box of 30 x 30 x 20 mm, in triangles of some mm whose corners lie on common circles."""
     cube = vtkCubeSource()
     cube.SetXLength(30)
     cube.SetYLength(30)
@@ -63,8 +63,8 @@ def digests():
 
 
 class SameBits(unittest.TestCase):
-    """Cuts at several sides. The order of the triangles of each cut came from memory addresses, which differ from process to
-    process and from run to run."""
+    """Cuts at several sides. In an earlier version the order of the triangles of each cut depended on memory addresses,
+    which differ between processes and runs."""
 
     def test_in_several_processes(self):
         found = [subprocess.run([sys.executable, __file__, "--digests"], capture_output=True, text=True, check=True).stdout
@@ -84,9 +84,9 @@ class ChosenSizes(unittest.TestCase):
         self.assertEqual(vtkGradedBody().GetSurfaceSpacing(), 0.0)
         for radius in (5.0, 70.0):
             solid = filled(vtkGradedBody, ball(radius))
-            # sqrt(8.7 area / 20,000), of a ball; the facets have 0.3 % less area
+            # sqrt(8.7 area / 20,000) of a ball. The facets have 0.3 % less area.
             self.assertAlmostEqual(solid.GetUsedSpacing() / radius, math.sqrt(8.7 * 4 * math.pi / 20000), delta=3e-4)
-            # 8.7 cells per cube is a mean over balls, to a fifth
+            # 8.7 cells per cube is a mean over balls, with a tolerance of a fifth.
             count = solid.GetOutput().GetNumberOfCells()
             self.assertLess(abs(count / solid.GetCellEstimate() - 1), 0.2, (radius, count))
             self.assertLess(5000, count)
@@ -106,9 +106,10 @@ class ChosenSizes(unittest.TestCase):
         self.assertEqual(vtkVoxelBody().GetSpacing(), 0.0)
         for radius in (5.0, 70.0):
             solid = filled(vtkVoxelBody, ball(radius), Conform=False)
-            # the cube root of the volume / 10,000; the facets have 0.3 % less volume
+            # The cube root of the volume / 10,000. The facets have 0.3 % less volume.
             self.assertAlmostEqual(solid.GetUsedSpacing() / radius, (4 / 3 * math.pi / 10000) ** (1 / 3), delta=1e-4)
-            # voxels with all corners inside: those at the surface are missing, half of a layer of 22 to a diameter
+            # Voxels with all corners inside. Partial voxels at the surface are missing: half of a
+            # layer, for 22 voxels per diameter.
             count = solid.GetOutput().GetNumberOfCells()
             self.assertLess(6000, count, radius)
             self.assertLess(count, 10000, radius)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two devices of one session on a half-space: pressing with the second reduces the force on the first, by the equations of
-two flat ends that lower each other's surface. Without coupling the forces do not change."""
+"""Two devices of one session on a half-space. A press of the second reduces the force on the first, according to the
+equations of two flat ends that lower each other's surface. Without coupling the forces do not change."""
 import math
 import unittest
 
@@ -15,7 +15,7 @@ YOUNG, POISSON, RADIUS, APART = 0.5, 0.45, 2.0, 6.0         # MPa, mm
 MODULUS = YOUNG / (1 - POISSON**2)
 SPRING = 2 * RADIUS * MODULUS                               # N/mm
 MUTUAL = 1 / (math.pi * MODULUS * APART)                    # mm/N
-FIRST, SECOND = 0.5, 0.8                                    # mm deep
+FIRST, SECOND = 0.5, 0.8                                    # depths, mm
 
 
 def plate(coupling):
@@ -38,7 +38,7 @@ def path(x, way):
 
 class TwoDevices(unittest.TestCase):
     def forces(self, body):
-        """Of the first alone; then of both."""
+        """Force on the first device alone, then on both devices."""
         session = palpate.vtkHapticSession()
         session.SetBody(body)
         session.GetDevice().SetPath(path(0, [(0, 1), (0.1, -FIRST), (1, -FIRST)]))
@@ -61,7 +61,7 @@ class TwoDevices(unittest.TestCase):
         alone, first, second = self.forces(plate(True))
         expected = np.linalg.solve([[1 / SPRING, MUTUAL], [MUTUAL, 1 / SPRING]], [FIRST, SECOND])
         for found, right in zip((alone, first, second), (SPRING * FIRST, *expected)):
-            self.assertAlmostEqual(found, right, delta=1e-5)    # curves are floats
+            self.assertAlmostEqual(found, right, delta=1e-5)    # curves are stored as floats
         self.assertAlmostEqual(alone - first, MUTUAL * second * SPRING, delta=1e-5)
         self.assertGreater(alone - first, 0.2)
 

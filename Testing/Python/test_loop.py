@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slab of liver pressed 5 mm at 1 mm/s gives the loop of Data/Reference/rate/loops_paper.csv: probed along a path with
-times, and in a session in virtual time."""
+"""A slab of liver pressed 5 mm at 1 mm/s has the loop of Data/Reference/rate/loops_paper.csv, both probed along a path
+with times and in a session in virtual time."""
 import csv
 import unittest
 from pathlib import Path
@@ -24,7 +24,8 @@ def slab(radius, relax=LIVER):
 
 
 def expected(radius):
-    """Peak over the slow one, loss over work, depth at which the tool is let go over the deepest."""
+    """Ratios: peak force to the slow peak force, energy loss to work, depth at the end of contact to the largest
+    depth."""
     with open(TABLE, encoding="utf-8", newline="") as table:
         for row in csv.DictReader(table):
             if row["press"] == "liver slab h=10 R=%g to 5 mm" % radius and row["preset"].startswith("liver") \
@@ -43,8 +44,8 @@ class LiverSlab(unittest.TestCase):
     def check(self, radius, deflection, force, memory):
         peak, loss, end = expected(radius)
         found = loop(deflection, force, force - memory)
-        # A slow curve of sixteen samples and sixteen elements: their errors are less than a
-        # hundredth of the peak.
+        # The slow curve has sixteen samples, and there are sixteen elements. Their errors are less
+        # than a hundredth of the peak.
         self.assertAlmostEqual(found[0], peak, delta=0.01 * peak)
         self.assertAlmostEqual(found[1], loss, delta=0.01)
         self.assertAlmostEqual(found[2], end, delta=0.005)

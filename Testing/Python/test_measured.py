@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate.measured: a plate measured with a paraboloid by Hertz's law and pressed with a flat punch; refused input."""
+"""palpate.measured: a plate measured with a paraboloid according to Hertz's law and pressed with a flat punch; invalid
+input."""
 import inspect
 import tempfile
 import unittest
@@ -20,7 +21,7 @@ class Measured(unittest.TestCase):
         self.folder = Path(scratch.name)
 
     def curves(self, sign=1.0):
-        """0.02 mm apart, from 1 mm before contact to 1 mm beyond."""
+        """Readings 0.02 mm apart, from 1 mm before contact to 1 mm beyond."""
         file = self.folder / "curves.csv"
         depth = np.arange(-50, 51) / 50
         force = 4 / 3 * MODULUS * RADIUS**0.5 * np.maximum(depth, 0)**1.5
@@ -33,13 +34,14 @@ class Measured(unittest.TestCase):
         found = palpate.measured(PLATE, self.curves(), tool="flat:1", maximum_deflection=0.4)
         (site,) = found.sites
         self.assertEqual((site["Verdict"], site["Model"]), ("identified", "half-space"))
-        self.assertAlmostEqual(site["ReducedModulus (MPa)"], MODULUS, delta=1e-6 * MODULUS)  # nine digits of the file
+        self.assertAlmostEqual(site["ReducedModulus (MPa)"], MODULUS, delta=1e-6 * MODULUS)  # the file has nine digits
         self.assertAlmostEqual(site["ContactOffset (mm)"], 1.2, delta=1e-6)
         curve = palpate.curves(found.body, 2, deflection=0.4)
         self.assertAlmostEqual(curve.force[0], 2 * 1 * MODULUS * 0.4, delta=1e-6 * MODULUS)  # 2 a E* δ, as floats
 
     def test_largest_strain(self):
-        """√(δ/R) of a paraboloid: 0.4 at 0.48 mm, which 26 of 101 readings exceed, and one meets."""
+        """The strain of a paraboloid is √(δ/R): 0.4 at 0.48 mm. Of 101 readings, 26 exceed this strain and one equals
+        it."""
         remark = palpate.measured(PLATE, self.curves()).sites[0]["Remark"]
         self.assertRegex(remark, "2[67] of 101 readings are not used: .* largest strain of 0.4 allows")
         self.assertEqual(palpate.measured(PLATE, self.curves(), maximum_strain=0.6).sites[0]["Remark"], "")

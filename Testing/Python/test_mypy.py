@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""mypy reads the package's annotations: it finds nothing wrong in them, gives results their types, and finds the
-mistakes of a program that uses the package. Without mypy: exit code 77; test_types.py does not need it."""
+"""mypy reads the package's annotations. It finds no error in them, determines the types of results, and finds the
+errors of a program that uses the package. Exit code 77 without mypy; test_types.py does not need it."""
 import os
 import re
 import shutil
@@ -15,7 +15,8 @@ import palpate
 
 PACKAGE = Path(palpate.__file__).parent
 
-# A line that ends in "# is: T" has an expression of type T, one that ends in "# wrong: W" an error with W in its text.
+# A line that ends with "# is: T" contains an expression of type T. A line that ends with "# wrong:
+# W" gives an error that contains W.
 PROGRAM = """\
 import numpy as np
 import palpate
@@ -44,7 +45,8 @@ palpate.vtkContactTool().SetRadius("2")                         # wrong: "SetRad
 
 
 def mypy(*arguments, **environment):
-    # Debian's VTK has no stubs: its classes are unknown to mypy, which is no mistake of the program.
+    # Debian's VTK has no stubs. Its classes are unknown to mypy, which is not an error of the
+    # program.
     command = ["mypy", "--ignore-missing-imports", "--python-executable", sys.executable, "--no-color-output",
                "--no-error-summary", *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **environment})

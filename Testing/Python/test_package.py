@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package palpate: its exports, and a complete script as a user would write it."""
+"""The package palpate: its exports, and a complete script in the form that a user would write."""
 import importlib
 import math
 import os
@@ -130,8 +130,8 @@ class Script(unittest.TestCase):
         probe.SetTipData(tips_at((0.1, 0.2, -1.0), (0.1, 0.2, 1.0)))
         probe.Update()
         felt = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("Force"))
-        # Hertz. The tolerance is half a unit of the last place of a stored float, and the same
-        # again for the float coordinates of the tips.
+        # Hertz. The tolerance is half a unit in the last place of a stored float, and the same for
+        # the float coordinates of the tips.
         hertz = 4 / 3 * (0.03 / 0.75) * math.sqrt(5.0) * 1.0 ** 1.5
         self.assertAlmostEqual(felt[0, 2], hertz, delta=2e-7 * hertz)
         self.assertEqual(list(felt[1]), [0.0, 0.0, 0.0])
@@ -143,7 +143,8 @@ class Script(unittest.TestCase):
         deflection.Update()
         moved = vtk_to_numpy(
             deflection.GetOutput().GetPointData().GetArray("ContactDisplacement"))
-        # At most the deflection. The nearest vertex (0, 0) is 0.22 mm away, where it is r²/2R less.
+        # At most the deflection. The nearest vertex (0, 0) is 0.22 mm away; there the displacement
+        # is smaller by r²/2R.
         self.assertAlmostEqual(-moved[:, 2].min(), 1.0 - 0.05 / 10.0, delta=1e-6)
 
         curves = vtkResponseCurves()

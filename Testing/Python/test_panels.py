@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The panels of the plugin, from its XML files: menus, labels, help, what is shown first, the names in saved states, and
-the names of the properties in messages."""
+"""The panels of the plugin, from its XML files: menus, labels, help, the properties shown first, the names in saved
+states, and the names of the properties in messages."""
 import csv
 import re
 import unittest
@@ -11,10 +11,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 MENUS = {"Palpate", "Palpate Bodies", "Palpate Response", "Palpate Measure", "Palpate Show"}
 SIX_CLICKS = {"ToolContactResponse", "ToolTouch"}       # the filters of the manual's six clicks
-MOST_SHOWN = 9                                          # properties of a panel without Advanced
+MOST_SHOWN = 9                                          # largest number of properties of a panel without Advanced
 RESPONSE_SHOWN = {"LengthUnit", "Tool", "Material", "YoungsModulus", "PoissonRatio", "LayerThickness", "WholeBody",
                   "MaximumDeflection"}
-OF_ONE_PANEL = {"Input", "Resolution", "Shape", "Reach"}  # these mean different things on different panels
+OF_ONE_PANEL = {"Input", "Resolution", "Shape", "Reach"}  # these names mean different things on different panels
 OLD_LABELS = {"Least Law That Keeps Forces", "Term Tolerance", "Conform", "Growth", "Labels", "Share", "Snap", "Coarser",
               "Store Without", "Base Value", "Memory", "Limit", "Granted"}
 
@@ -68,7 +68,7 @@ class Menus(unittest.TestCase):
 class Panels(unittest.TestCase):
     def test_a_panel_shows_few_properties(self):
         for _, proxy in proxies():
-            if proxy.get("name") == "ContactTool":      # shows those of the shape only
+            if proxy.get("name") == "ContactTool":      # the panel shows only the properties of the chosen shape
                 continue
             shown = [each.get("name") for each in properties(proxy)
                      if is_setting(each) and each.get("panel_visibility", "default") == "default"]
@@ -114,7 +114,8 @@ class Panels(unittest.TestCase):
 
 
 class SavedStates(unittest.TestCase):
-    """StateNames.csv has the names that states have been saved with. A state that names an unknown property loses it."""
+    """StateNames.csv lists the names with which states have been saved. A state with an unknown property loses this
+    property."""
 
     def test_their_names_are_known(self):
         known = {(group, proxy.get("name"), each.get("name")) for group, proxy in proxies() for each in properties(proxy)}
@@ -125,7 +126,7 @@ class SavedStates(unittest.TestCase):
 
 
 class Messages(unittest.TestCase):
-    """A message names a property as its panel does. The name in C++ may follow in brackets."""
+    """A message names a property by its label in the panel. The name in C++ may follow in brackets."""
 
     def test_messages_name_properties_in_words(self):
         names = {each.get("name") for _, proxy in proxies() for each in properties(proxy) if each.get("command")}
@@ -141,7 +142,7 @@ class Messages(unittest.TestCase):
                         bare = re.sub(r"\([A-Za-z]+\)", "", text)
                         self.assertNotRegex(text, r"\b(call|see) (Set|Add)[A-Z]", (file, number))
                         if text in names or re.fullmatch(r"\w+", text):
-                            continue                        # a name of an array or of a property alone
+                            continue                        # the name of an array or of a property alone
                         for name in names:
                             self.assertNotRegex(bare, r"\b%s\b" % name, (file, number, text))
         self.assertGreater(messages, 50)

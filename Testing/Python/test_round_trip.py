@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body with its response, saved as .vtp, is complete: another Python, with only numpy and VTK's reader,
-gets the same curves from it.
+"""A body with its response that is saved as .vtp is complete: a separate Python with only numpy and VTK's reader gets
+the same curves from the file.
 
-The data are inline; Testing/Cxx/Response/TestRoundTrip.cxx gives the reason against appended data.
+The data are inline. Testing/Cxx/Response/TestRoundTrip.cxx states the reason against appended data.
 """
 import os
 import tempfile
@@ -26,7 +26,7 @@ class RoundTrip(unittest.TestCase):
         response.SetInputConnection(ball.GetOutputPort())
         response.SetTool(tool)
         response.SetResponseName("Sphere")
-        response.CurvatureCorrectionOff()  # the tool's own law
+        response.CurvatureCorrectionOff()  # uncorrected law of the tool
         with tempfile.TemporaryDirectory() as folder:
             writer = vtkXMLPolyDataWriter()
             writer.SetInputConnection(response.GetOutputPort())

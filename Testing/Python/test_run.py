@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The arguments that `./run demo` gives to the program. Nothing is built: the program is replaced by `echo`."""
+"""The arguments that `./run demo` passes to the program. Nothing is built: the program is replaced by `echo`."""
 import os
 import shutil
 import subprocess
@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 RUN = Path(__file__).resolve().parents[2] / "run"
-# In place of the real parts, and of the X server.
+# Replacements of functions of `run`, and of xvfb-run.
 PARTS = """
 build_release() { :; }
 xvfb-run() { shift 3; "$@"; }
@@ -47,7 +47,7 @@ class Demo(unittest.TestCase):
     def test_with_a_display_there_is_a_window(self):
         self.assertEqual(self.given(), "[--window]")
         self.assertEqual(self.given("a.vtp", "--depth", "1"), "[--window a.vtp --depth 1]")
-        # The program opens the window with the map.
+        # The program opens the window with the map, so no option is added.
         self.assertEqual(self.given("a.nii", "--tissue", "1:0.1:0.4"), "[a.nii --tissue 1:0.1:0.4]")
         self.assertEqual(self.given("a.nii", "--tissue=1:0.1:0.4"), "[a.nii --tissue=1:0.1:0.4]")
         self.assertEqual(self.given("a.vtp", display=""), "[--output %s a.vtp]" % (self.folder / "build/demo"))

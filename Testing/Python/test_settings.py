@@ -83,7 +83,7 @@ class Settings(unittest.TestCase):
 
 
 class ParaView(unittest.TestCase):
-    """ParaView's properties are written by hand; what they say of a setting is what the table says."""
+    """ParaView's properties are written by hand. Their data of a setting must agree with the table."""
 
     def setUp(self):
         tree = xml.etree.ElementTree.parse(os.path.join(SERVER_MANAGER, "Probe.xml"))
@@ -121,9 +121,9 @@ class ParaView(unittest.TestCase):
 
 
 class Responses(unittest.TestCase):
-    """Settings of the response filters: the same in all filters that have them, in Python and in ParaView."""
+    """Settings of the response filters are the same in all filters that have them, in Python and in ParaView."""
 
-    # The property and the keyword of palpate.response, if it is one number or a switch there.
+    # The property, and the keyword of palpate.response if its value is a number or a switch.
     SHARED = {"YoungsModulus": "young", "PoissonRatio": "poisson", "LayerThickness": None, "LayerBase": None,
               "ComplianceExcludesLayer": "compliance_excludes_layer", "BaseYoungsModulus": None,
               "BasePoissonRatio": None, "CurvatureCorrection": "curvature", "EdgeCorrection": "edges",
@@ -138,7 +138,8 @@ class Responses(unittest.TestCase):
 
     @staticmethod
     def has(kind, name):
-        return hasattr(kind, "Get" + name) and (kind, name) != (palpate.vtkContactSetup, "ResponseName")  # of each tool
+        # vtkContactSetup has one response name per tool
+        return hasattr(kind, "Get" + name) and (kind, name) != (palpate.vtkContactSetup, "ResponseName")
 
     def test_defaults_of_filters_and_setup(self):
         for name in self.SHARED:

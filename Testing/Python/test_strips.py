@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Triangle strips, as vtkStripper makes them: each filter that takes a surface uses them, or its error names the filter
-that makes triangles of them."""
+"""Triangle strips made by vtkStripper: each filter that takes a surface uses them, or its error names the filter that
+converts them to triangles."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -62,7 +62,7 @@ def scan():
 
 
 def solid(spacing):
-    made = palpate.vtkVoxelBody()    # every build has it; vtkGradedBody needs CGAL
+    made = palpate.vtkVoxelBody()    # in every build, while vtkGradedBody needs CGAL
     made.SetInputData(ball())
     made.SetSpacing(spacing)
     made.SetFixedFaces("z-:3")
@@ -73,7 +73,7 @@ class Strips(unittest.TestCase):
     def advises(self, filter, *others):
         with self.assertRaisesRegex(RuntimeError, ADVICE):
             _filters.run(filter, RuntimeError, others)
-        self.assertEqual(filter.GetOutputDataObject(0).GetNumberOfElements(0), 0)   # no half of a result
+        self.assertEqual(filter.GetOutputDataObject(0).GetNumberOfElements(0), 0)   # no partial result
 
     def test_filters_of_bodies_and_responses(self):
         strips = stripped(ball())
@@ -128,7 +128,7 @@ class Strips(unittest.TestCase):
                 self.advises(made)
 
     def test_filters_of_arrays_use_strips(self):
-        """A reduction and a choice of form change the arrays of points alone."""
+        """A reduction and a choice of form change only the arrays of points."""
         made = palpate.response(ball(), tool(), compliance=None)
         for kind in ("vtkReducedContactResponse", "vtkResponseChoice", "vtkResponseCurves"):
             outputs = []

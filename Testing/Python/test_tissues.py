@@ -31,7 +31,8 @@ def filled(labels, spacing, tissues, cells, fixed="z-", kind=RuntimeError):
 
 
 def pressed(solid, tool, places, sources):
-    """The responses within a contact of places on the upper face; the force and the error there at DEPTH."""
+    """The responses within a contact of places on the upper face. Returns the force and the error at these places, at
+    DEPTH."""
     grid = solid.GetOutput()
     points = vtk_to_numpy(grid.GetPoints().GetData())
     near = np.min([np.hypot(points[:, 0] - x, points[:, 1] - y) for x, y in places], axis=0) < 4
@@ -61,10 +62,11 @@ def pressed(solid, tool, places, sources):
 
 class Forces(unittest.TestCase):
     def test_a_block_is_a_layer(self):
-        """A block of one tissue, 24 mm thick and 64 mm wide, on its fixed base: the law of a bonded layer.
+        """A block of one tissue, 24 mm thick and 64 mm wide, on its fixed base has the law of a bonded layer.
 
-        Its free sides are 32 mm away, more than its thickness, and soften it by less than 1 %; the voxels place its faces
-        to 0.1 mm, 1 % of the force by the thickness; elements as long as a sixth of the thickness err by about 1 %.
+        Its free sides are 32 mm away, which is more than its thickness, and soften it by less than 1 %. The voxels
+        place its faces to 0.1 mm, which changes the force by 1 % through the thickness. Elements as long as a sixth of
+        the thickness have an error of about 1 %.
         """
         size, spacing = (64, 64, 24), 1.0
         solid = filled(block(size, spacing), spacing, {1: SOFT}, cells=4)
@@ -74,16 +76,17 @@ class Forces(unittest.TestCase):
         layer = palpate.response(flat, "sphere:6.35", *SOFT, layer=24.0, maximum_deflection=DEPTH, curvature=False)
         expected = palpate.curves(layer, 4, deflection=DEPTH).force[0]
         self.assertAlmostEqual(force / expected, 1.0, delta=0.03)
-        self.assertLess(abs(force / expected - 1.0), error + 0.02)   # the stated error, and that of shape and sides
+        self.assertLess(abs(force / expected - 1.0), error + 0.02)   # the stated error, plus 0.02 for shape and sides
         half_space = 4 / 3 * SOFT[0] / (1 - SOFT[1] ** 2) * math.sqrt(6.35) * DEPTH ** 1.5  # Hertz; the layer is stiffer
         self.assertGreater(force, half_space)
 
     def test_a_hard_ball_is_felt(self):
-        """A ball of 3 mm radius, ten times as hard, whose top is 2 mm deep: a sphere of 1.6 mm feels 24.0 % more.
+        """A ball of 3 mm radius, ten times as hard, whose top is 2 mm deep, increases the force on a sphere by 24.0 %.
 
-        The number is that of axisymmetric finite elements that follow the ball, another code (Data/Studies/nodule/nodule.md).
-        Cells as long as half the depth of a ball err by 5 % of the force (vtkElasticContactResponse), its voxels place
-        its top to half their side, 0.25 mm, where the force changes by 16 % per mm.
+        The sphere has a radius of 1.6 mm. The number is from axisymmetric finite elements that follow the ball, by
+        another code (Data/Studies/nodule/nodule.md). Cells as long as half the depth of a ball have an error of 5 % of
+        the force (vtkElasticContactResponse). The voxels place the ball's top to half their side, 0.25 mm; the force
+        changes by 16 % per mm there.
         """
         size, spacing, ball = (80, 80, 40), 0.5, (20.0, 20.0, 2.0, 3.0)
         walls = "z-,x-,x+,y-,y+"
@@ -94,11 +97,12 @@ class Forces(unittest.TestCase):
         (same, _), = pressed(without, "sphere:1.6", [(20.0, 20.0)], 1.5)
         self.assertAlmostEqual(above / same, 1.240, delta=0.05 * 1.24 + 0.25 * 0.16)
         self.assertGreater(above / beside, 1.15)
-        # Next to the lump the force is that without a lump. The cells are longer there: 3 %.
+        # Next to the lump the force equals the force without a lump. The cells are longer there,
+        # which gives an error of 3 %.
         self.assertAlmostEqual(beside / same, 1.0, delta=0.03)
 
     def test_the_label_of_empty_voxels_needs_no_row(self):
-        """With empty voxels around it and without, the block is the same body."""
+        """With and without empty voxels around it, the block is the same body."""
         size, spacing = (16, 16, 10), 2.0
         alone = filled(block(size, spacing), spacing, {1: SOFT}, 8).GetOutput()
         around = filled(image(block(size, spacing, margin=3), spacing, (-6.0, -6.0, -6.0)), spacing, {1: SOFT}, 8).GetOutput()
@@ -106,7 +110,7 @@ class Forces(unittest.TestCase):
             np.testing.assert_allclose(*(vtk_to_numpy(each.GetPoints().GetData()) for each in (alone, around)), atol=1e-4)
         for each in (alone, around):
             moduli = vtk_to_numpy(each.GetCellData().GetArray("YoungsModulus"))
-            np.testing.assert_allclose(moduli, SOFT[0], rtol=1e-12)  # no cell is softened by the voxels around it
+            np.testing.assert_allclose(moduli, SOFT[0], rtol=1e-12)  # the empty voxels around a cell do not soften it
             self.assertEqual(vtk_to_numpy(each.GetPointData().GetArray("Fixed")).max(), 7)
 
 
@@ -118,7 +122,8 @@ class Body(unittest.TestCase):
         return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
 
     def test_the_affine_of_a_file(self):
-        """Axes that are turned, mirrored and stretched: the body is where the header places it, with its volume."""
+        """Axes that are rotated, mirrored and scaled: the body has the position that the header gives, and its
+        volume."""
         size = (20, 12, 10)
         affine = np.array([[0, -2.0, 0, 50], [1.5, 0, 0, -20], [0, 0, 3.0, 7]])      # x of the file is y of the body
         labels = block(size, 1.0, margin=2)
@@ -132,7 +137,7 @@ class Body(unittest.TestCase):
             grid = filled(reader.GetOutput(), None, {1: SOFT}, 6).GetOutput()
         corners = np.array([affine @ [i, j, k, 1] for i in (1.5, 21.5) for j in (1.5, 13.5) for k in (1.5, 11.5)])
         bounds = np.reshape(grid.GetBounds(), (3, 2))
-        # Smoothing moves edges by a part of a voxel.
+        # Smoothing moves edges by a fraction of a voxel.
         np.testing.assert_allclose(bounds, np.array([corners.min(0), corners.max(0)]).T, atol=1.0)
         self.assertAlmostEqual(self.volume(grid) / (20 * 12 * 10 * 9.0), 1.0, delta=0.05)
 
@@ -153,7 +158,7 @@ class Body(unittest.TestCase):
         grid = filled(labels, 1.0, {1: SOFT}, 3).GetOutput()
         self.assertAlmostEqual(self.volume(grid) / (24 ** 3 - 512), 1.0, delta=0.03)
         labels = block((24, 24, 24), 1.0)
-        labels[12, 12, 12] = 0                          # one voxel that was missed
+        labels[12, 12, 12] = 0                          # one voxel without a label
         whole = filled(labels, 1.0, {1: SOFT}, 4).GetOutput()
         np.testing.assert_allclose(self.volume(whole) / 24 ** 3, 1.0, atol=0.03)
         np.testing.assert_allclose(vtk_to_numpy(whole.GetCellData().GetArray("YoungsModulus")), SOFT[0], rtol=1e-12)
@@ -167,7 +172,7 @@ class Body(unittest.TestCase):
         self.assertLess(grid.GetBounds()[1], 25.0)
 
     def test_finer_cells_cost_no_more_than_the_surface(self):
-        """Many small regions just below the surface: their cells are longer than half their depth."""
+        """The cells of many small regions just below the surface are longer than half the depth of the regions."""
         labels = block((40, 40, 20), 1.0)
         for x in range(4, 36, 8):
             for y in range(4, 36, 8):
@@ -229,7 +234,7 @@ class Response(unittest.TestCase):
     def test_a_file(self):
         steps = []
         with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
-            warnings.simplefilter("error")              # held points have no response: no warning
+            warnings.simplefilter("error")              # held points have no response, which must not give a warning
             file = Path(folder) / "labels.nii.gz"
             write_nifti(file, self.LABELS, [[3, 0, 0, -3], [0, 3, 0, -3], [0, 0, 3, -3]])
             body = palpate.response(file, "sphere:3", tissues=self.TISSUES, spacing=6, maximum_deflection=0.5, name="Punch",
@@ -245,7 +250,8 @@ class Response(unittest.TestCase):
         self.assertTrue(np.isnan(force[held]).all())
         middle = np.hypot(points[:, 0] - 13.5, points[:, 1] - 13.5) - 10 * points[:, 2]
         hertz = 4 / 3 * SOFT[0] / (1 - SOFT[1] ** 2) * math.sqrt(3.0) * 0.4 ** 1.5
-        # The block is 18 mm thick, the contact 1.1 mm wide: a few per cent stiffer; the cells are as long as a third of it.
+        # The block is 18 mm thick and the contact 1.1 mm wide, so the force is a few per cent
+        # larger. The cells are as long as a third of the contact.
         self.assertAlmostEqual(force[np.argmin(middle), 0] / hertz, 1.04, delta=0.08)
 
     def refuses(self, kind, words, body=None, tissues=None, **other):

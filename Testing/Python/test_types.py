@@ -19,7 +19,7 @@ STUBS = sorted(Path(palpate.__file__).parent.glob("palpate*.pyi"))
 
 
 def undefined_names(text):
-    """Names that the annotations of a stub use, within quotes or not, and that are neither defined nor imported."""
+    """Names in the annotations of a stub, quoted or not, that are neither defined nor imported."""
     tree = ast.parse(text)
     known = set(dir(builtins))
     for node in ast.walk(tree):
@@ -60,7 +60,7 @@ class Types(unittest.TestCase):
                     self.assertIsNot(types[argument], typing.Any)
 
     def test_defaults_have_the_type(self):
-        """Numbers, flags and texts of the signature; other defaults are None or empty."""
+        """Checks numbers, flags and texts in the signature. Other defaults are None or empty."""
         simple = (bool, int, float, str)
         for function in FUNCTIONS:
             types = typing.get_type_hints(function)

@@ -18,7 +18,8 @@ import numpy
 
 
 def sphere(radius=25.0):
-    """Closed, outward; vertices about 1 mm apart at the pole +z, where sessions press by default."""
+    """A closed sphere with outward triangles. Vertices are about 1 mm apart at the pole +z, where sessions press by
+    default."""
     source = vtkSphereSource()
     source.SetRadius(radius)
     source.SetThetaResolution(64)
@@ -39,7 +40,7 @@ def cube(side=40.0):
 
 
 def image(values, spacing=(1.0, 1.0, 1.0)):
-    """An image of an array indexed [x, y, z]."""
+    """Makes an image from an array indexed [x, y, z]."""
     data = vtkImageData()
     data.SetDimensions(values.shape)
     data.SetSpacing(spacing)
@@ -50,7 +51,7 @@ def image(values, spacing=(1.0, 1.0, 1.0)):
 
 
 def distances(size, centre):
-    """Of every voxel of a cube of `size` voxels of 1 mm from a point, mm."""
+    """Distance of every voxel from a point, mm, in a cube of `size` voxels of 1 mm."""
     x, y, z = numpy.ogrid[:size, :size, :size]
     return numpy.sqrt((x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2)
 
@@ -74,7 +75,7 @@ NIFTI_KINDS = {1: numpy.uint8, 2: numpy.uint8, 4: numpy.int16, 8: numpy.int32, 1
 
 def nifti(values, kind=16, sform=None, qform=None, qfac=1.0, sides=(1.0, 1.0, 1.0), scale=(1.0, 0.0), unit=2,
           dim=None, order="<"):
-    """The bytes of a NIfTI-1 file, after its definition; qform: b, c, d and the offset."""
+    """The bytes of a NIfTI-1 file, as the format defines them. `qform`: b, c, d and the offset."""
     head = bytearray(352)
     struct.pack_into(order + "i", head, 0, 348)
     struct.pack_into(order + "8h", head, 40, *(dim or (3, *values.shape, 1, 1, 1, 1)))
@@ -90,7 +91,7 @@ def nifti(values, kind=16, sform=None, qform=None, qfac=1.0, sides=(1.0, 1.0, 1.
 
 
 def lump():
-    """Grey levels of a body that looks different from each side: three balls in one another."""
+    """Grey levels of a body of three overlapping balls, which looks different from each side."""
     grey = numpy.zeros((34, 30, 26))
     x, y, z = numpy.ogrid[:34, :30, :26]
     for centre, radius in (((14, 14, 12), 8.2), ((22, 14, 12), 5.1), ((14, 20, 15), 4.3)):
@@ -107,14 +108,14 @@ WRITERS = {
 
 
 def write(data, path, **settings):
-    """Writes `data` in the format of the file name; settings: DataMode=..., FileType=..."""
+    """Writes `data` in the format of the file name. Settings: DataMode=..., FileType=..."""
     extension = ".nii.gz" if path.name.endswith(".nii.gz") else path.suffix.lower()
     writer = WRITERS[extension]()
     writer.SetFileName(str(path))
     for name, value in settings.items():
         getattr(writer, f"Set{name}")(value)
     writer.SetInputData(data)
-    writer.Write()  # the meaning of its result depends on the writer
+    writer.Write()  # the result is ignored, because its meaning depends on the writer
     if writer.GetErrorCode() != 0 or path.stat().st_size == 0:
         raise OSError(f"cannot write {path}")
     return path

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A force device as a separate program, for `palpate --device bridge:unix:PATH`, with the 64-byte reports of
-Interactors/Transports/PROTOCOL.md, byte by byte. SI units.
+"""A force device as a separate program, for `palpate --device bridge:unix:PATH`. It implements the 64-byte reports of
+Interactors/Transports/PROTOCOL.md. SI units.
 
     with BridgePeer(path) as peer:
-        peer.position = (0, 0, -0.011)     target of the hand, m; it goes there at 30 mm/s
+        peer.position = (0, 0, -0.011)     target of the hand, m; the hand moves there at 30 mm/s
         peer.forces                        forces from the host: (time.monotonic(), enabled, x, y, z), s and N
 """
 import math
@@ -25,7 +25,8 @@ def report(kind, flags, body):
 
 
 def description(nonce):
-    """6 N, 2500 N/m, 4000 N/s, 8 N s/m, 80 mm, 1 kHz, 0.1 s: a busy test machine may pause."""
+    """Describes the device: 6 N, 2500 N/m, 4000 N/s, 8 N s/m, 80 mm, 1 kHz, time-out 0.1 s, because a busy test machine
+    may pause."""
     body = struct.pack("<9f", 6.0, 2500.0, 4000.0, 8.0, 0.08, 0.08, 0.08, 1000.0, 0.1)
     return report(DESCRIPTION, 1, body.ljust(52, b"\0") + struct.pack("<I", nonce))
 
@@ -54,7 +55,7 @@ class BridgePeer:
         self._socket.close()
 
     def is_pushing(self):
-        """Whether the last force is one, N."""
+        """Whether the last force report contains a force."""
         return bool(self.forces) and math.dist(self.forces[-1][2:], (0, 0, 0)) > 0.05
 
     def _run(self):
@@ -91,4 +92,4 @@ class BridgePeer:
             try:
                 self._socket.sendto(data, self._host)
             except OSError:
-                pass  # the host is gone or does not read; a device would not know that either
+                pass  # the host has ended or does not read; a device would not detect that either

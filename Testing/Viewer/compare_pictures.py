@@ -8,8 +8,8 @@
 Picture FOLDER/overview.png is compared with BASELINES/PREFIXoverview.png; difference images go to
 FOLDER/difference/. How a baseline is accepted: Testing/Baseline/README.md.
 
---self-test puts a small fault into the corner of each picture and checks that it is noticed: a missing
-letter, a shift by three pixels (a shift by one must pass), a tenth darker.
+--self-test adds a small fault to a corner of each picture and checks that it is detected: a missing letter, a shift
+by three pixels (a shift by one pixel must pass), colours a tenth darker.
 
 Exit code: 0 all pictures match, 1 some do not, 77 the scene was not run (see run_scene.py).
 """
@@ -23,9 +23,10 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import numpy
 
-FORGIVEN_LEVELS = 10  # per pixel, red + green + blue; Picture.h states the reasons of both numbers
+FORGIVEN_LEVELS = 10  # per pixel, red + green + blue; Picture.h states the reasons for both numbers
 THRESHOLD = 5.0  # number of pixels with the largest possible difference
-CORNER = (slice(0, 300), slice(0, 400))  # rows from the bottom, columns: a part is faster to compare
+# Rows from the bottom, columns; a part is faster to compare than the whole picture.
+CORNER = (slice(0, 300), slice(0, 400))
 SKIPPED = 77
 
 
@@ -43,11 +44,11 @@ def pixels(picture):
 
 
 def difference(one, other, path=None):
-    """In the unit of THRESHOLD; infinite for pictures of different size."""
+    """The difference in the unit of THRESHOLD; infinite for pictures of different size."""
     if one.GetDimensions() != other.GetDimensions():
         return float("inf")
     if numpy.array_equal(pixels(one), pixels(other)):
-        return 0.0  # the usual case, decided fast
+        return 0.0  # the usual case, which needs no image filter
     compare = vtkImageDifference()
     compare.SetThreshold(FORGIVEN_LEVELS)
     compare.SetInputData(one)
@@ -62,7 +63,7 @@ def difference(one, other, path=None):
 
 
 def compare_with_baseline(picture, baseline, image):
-    """Prints and returns whether they are alike: the picture and X.png, or X_1.png where it is there."""
+    """Compares the picture with X.png, or with X_1.png if it exists. Prints and returns whether they match."""
     if not baseline.exists():
         print(f"{picture}: there is no baseline {baseline}")
         return False
@@ -84,11 +85,11 @@ def as_picture(array):
 
 
 def faults(array):
-    """(what, picture, whether it must be noticed)"""
+    """Tuples (description, picture, whether the fault must be detected)."""
     lower = numpy.roll(array, -1, axis=0)
     yield "one pixel lower", lower, False
     yield "three pixels lower", numpy.roll(array, -3, axis=0), True
-    row, column = numpy.argwhere(array.sum(axis=2) < 150)[0]  # dark: text, line or legend
+    row, column = numpy.argwhere(array.sum(axis=2) < 150)[0]  # a dark pixel, of text, line or legend
     blotted = array.copy()
     blotted[max(row - 8, 0):row + 8, max(column - 8, 0):column + 8] = 255
     yield "a letter gone", blotted, True

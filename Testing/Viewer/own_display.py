@@ -6,7 +6,8 @@ import subprocess
 
 
 class OwnDisplay:
-    """`name` is its DISPLAY; `size` in pixels. None where Xvfb is not installed: see is_there()."""
+    """`name` is the DISPLAY of the server; `size` in pixels. `name` is None if Xvfb is not installed; see
+    is_there()."""
 
     def __init__(self, size="1280x1024"):
         reading, writing = os.pipe()

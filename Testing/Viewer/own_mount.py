@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a program with a separate file system in place of a folder, which no other program sees: a full disk,
-or a read-only disk. Needs root, or a system that gives users name spaces.
+"""Runs a program with a separate file system in place of a folder: a full disk, or a read-only disk. Other programs do
+not see it. Needs root, or a system that allows users to make name spaces.
 
     run(..., before=own_mount.over(folder, "size=64k", kept=other))
 """
 import shutil
 import subprocess
 
-# $0: the folder, $1: options, $2: folder for a copy of the content at the end, "" for none.
+# $0: the folder, $1: options, $2: folder for a copy of the content at the end, "" for no copy.
 SCRIPT = """mount -t tmpfs -o "$1" none "$0" || exit 77
 kept=$2; folder=$0; shift 2
 "$@"; code=$?
@@ -20,7 +20,7 @@ def over(folder, options, kept=""):
 
 
 def is_possible(folder):
-    """Whether the machine lets us: a file cannot be made in a file system that may only be read."""
+    """Whether the machine permits it: in a read-only file system no file can be made."""
     if not shutil.which("unshare"):
         return False
     command = [*over(folder, "ro"), "sh", "-c", '! touch "$0/file" 2>/dev/null', str(folder)]

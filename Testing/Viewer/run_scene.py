@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a scene of `palpate` into a folder, for the tests that look at what it wrote.
+"""Runs a scene of `palpate` into a folder, for the tests that check its output.
 
     run_scene.py PALPATE FOLDER CACHE [OPTIONS OF PALPATE]
 
-The folder is emptied first. CACHE is the cache for skins of scans: "new" for a separate folder,
-FOLDER.cache, which is emptied too, so that no skin of an older program is shown; or the FOLDER of an
-earlier run, to use its cache. Exit code: that of palpate; 77 if the scan of the head is not installed. The
-tests that need the folder then also end with 77: skipped, with a message.
+The folder is emptied first. CACHE is the cache for skins of scans: "new" for a separate folder, FOLDER.cache, which is
+emptied too, so that no skin of an older program is used; or the FOLDER of an earlier run, to use its cache. Exit code:
+that of palpate; 77 if the scan of the head is not installed. The tests that need the folder then also end with 77:
+skipped, with a message.
 """
 import os
 import shutil
@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-SCAN = Path("/usr/share/mricron/templates/ch2.nii.gz")  # of Debian's mricron-data
+SCAN = Path("/usr/share/mricron/templates/ch2.nii.gz")  # installed by Debian's mricron-data
 SKIPPED = 77
 
 

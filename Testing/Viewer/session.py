@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the executable `palpate` as a user would; base of the tests of the viewer.
+"""Runs the executable `palpate` as a user would; base class for the tests of the viewer.
 
 PALPATE names the executable. Without a separate X server for the tests, the programs use DISPLAY.
 """
@@ -14,16 +14,16 @@ from pathlib import Path
 import bodies
 
 PALPATE = os.environ.get("PALPATE", "palpate")
-TIME_OUT = 800  # s, for a program that hangs; a little less than palpate_time_limit of Testing/CMakeLists.txt
+TIME_OUT = 800  # s; stops a program that hangs; slightly less than palpate_time_limit of Testing/CMakeLists.txt
 PICTURES = ("overview", "deflection", "curves")
-CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # not the cache of the user
+CACHE = tempfile.TemporaryDirectory(prefix="palpate cache ")  # a separate cache, not the user's cache
 
 
 def run(*arguments, environment=None, room=None, before=(), answers=None, whole_body=False):
-    """The finished process, with its output as text. `environment`: name -> value, None to unset;
-    `room`: bytes beyond which no file grows, as on a full disk; `before`: a command that runs the
-    program; `answers`: what it reads; `whole_body`: with the compliance of the whole body, which
-    takes some ten seconds (test_whole_body.py).
+    """Runs palpate. Returns the finished process, with its output as text. `environment`: name -> value, None to unset;
+    `room`: the largest size of a file, bytes, as on a full disk; `before`: a command that runs the program; `answers`:
+    its standard input; `whole_body`: with the compliance of the whole body, which takes about ten seconds
+    (test_whole_body.py).
     """
     if not whole_body and not {"--help", "--version", "--fixed"} & set(map(str, arguments)):
         arguments += ("--no-whole-body",)
@@ -43,17 +43,17 @@ def run(*arguments, environment=None, room=None, before=(), answers=None, whole_
 
 
 def vertices(result):
-    """Of the body, as the summary says."""
+    """Number of vertices of the body in the summary."""
     return int(re.search(r"body\s+(\d+) vertices", result.stdout).group(1))
 
 
 def peak_force(result):
-    """N, as the summary says."""
+    """Largest force in the summary, N."""
     return float(re.search(r"peak\s+force ([\d.e+-]+) N", result.stdout).group(1))
 
 
 class SessionCase(unittest.TestCase):
-    """A folder of its own for each test, which is gone afterwards."""
+    """Each test has its own folder, which is deleted afterwards."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory(prefix="palpate test ")
@@ -62,13 +62,13 @@ class SessionCase(unittest.TestCase):
         self.output = self.folder / "out"
 
     def files(self):
-        """File name -> time it was written, in the output folder."""
+        """File name -> time of writing, in the output folder."""
         paths = self.output.iterdir() if self.output.is_dir() else ()
         return {path.name: path.stat().st_mtime_ns for path in paths}
 
     def succeed(self, *arguments, pictures=(), **more):
-        """Runs into self.output; all files must be there, and no other made or touched. Without pictures: they take
-        most of the time."""
+        """Runs into self.output. All expected files must exist, and no other file may be made or changed. The default
+        is without pictures, because they take most of the time."""
         before = self.files()
         result = run(*arguments, *(() if pictures else ("--no-pictures",)), "--output", self.output, **more)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -80,13 +80,13 @@ class SessionCase(unittest.TestCase):
         return result
 
     def press(self, data, name, *arguments, pictures=(), **settings):
-        """Writes the body into a file and presses a sphere of 3 mm into it, E = 0.1 MPa."""
+        """Writes the body into a file and presses a sphere of 3 mm on it, E = 0.1 MPa."""
         path = bodies.write(data, self.folder / name, **settings)
         return self.succeed(path, "--tool", "sphere:3", "--young", "0.1", "--poisson", "0.45",
                             *arguments, pictures=pictures)
 
     def refuse(self, *arguments, words=(), **more):
-        """Must end with an error that has all the words, by its own will, and leave no file."""
+        """The program must end with an error that contains all the words, not by a signal, and leave no file."""
         before = self.files()
         result = run(*arguments, "--output", self.output, **more)
         self.assertGreater(result.returncode, 0, f"ended by a signal: {result.stderr}")

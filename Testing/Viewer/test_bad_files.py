@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that are damaged or are no bodies give an error that names the file, no output and no crash."""
+"""Files that are damaged or are no bodies give an error that names the file, without output or crash."""
 import gzip
 import unittest
 

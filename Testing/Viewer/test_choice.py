@@ -13,7 +13,7 @@ from session import SessionCase, peak_force
 
 
 def choice(result):
-    """The sentence of the summary."""
+    """The sentence in the summary that states the choice."""
     return re.search(r"^  choice +(.+)$", result.stdout, re.MULTILINE).group(1)
 
 
@@ -23,7 +23,7 @@ class Choice(SessionCase):
         return rows["deflection_mm"], rows["normal_force_N"]
 
     def test_one_law_suffices_for_a_homogeneous_body_and_is_felt_as_before(self):
-        flat = "--no-curvature"  # the curvature of the mesh differs in the last digits of a float
+        flat = "--no-curvature"  # without it, the curvature of the mesh differs in the last digits of a float
         self.assertNotIn("choice  ", self.press(bodies.sphere(), "ball.vtp", flat).stdout)
         said = self.press(bodies.sphere(), "ball.vtp", flat, "--verbose")
         depth, force = self.trajectory()
@@ -50,7 +50,8 @@ class Choice(SessionCase):
         points = reader.GetOutput().GetNumberOfPoints()
         moduli = random.permutation(numpy.linspace(0.5, 2.0, points))[:, None]
         for factors, words in (
-                # Only Young's modulus varies; or every sample of every point has its own error.
+                # First body: only Young's modulus varies. Second body: every sample of every point
+                # has its own error.
                 (lambda shape: moduli, ("one law suffices, times a number per point", "1 instead of 16")),
                 (lambda shape: random.uniform(0.9, 1.1, shape), ("a response per vertex is needed", "all 16 numbers"))):
             body = vtkPolyData()
@@ -60,11 +61,12 @@ class Choice(SessionCase):
                 array = numpy_to_vtk((values * factors(values.shape)).astype(numpy.float32), deep=True)
                 array.SetName(name)
                 body.GetPointData().AddArray(array)
-            path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)  # binary: see the manual, Reference/arrays.md
+            # See the manual, Reference/arrays.md, for why the file is binary.
+            path = bodies.write(body, self.folder / "uneven.vtp", DataMode=1)
             said = choice(self.succeed(path, "--verbose"))
             for word in words:
                 self.assertIn(word, said)
-            # The strain under a sphere of 3 mm is small up to 0.5 mm.
+            # The error by strain under a sphere of 3 mm is acceptable up to 0.5 mm.
             self.assertIn("1 mm is beyond the validity of the law at 100 % of the points (mostly small strain)", said)
 
     def test_a_body_that_gives_way_is_asked_for_its_regime(self):

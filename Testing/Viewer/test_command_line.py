@@ -142,7 +142,8 @@ class CommandLine(SessionCase):
             three = ",0,1" if option in ("--site", "--slide-to") else ""
             for value in ("0", "-1", "1e400", "nan", "inf", "soft", "", "7" * 400):
                 with self.subTest(option=option, value=value):
-                    # A valid value is rejected because of the word after it.
+                    # A valid value is followed by an invalid word, so the error must name that
+                    # word.
                     result = run("--scene", "cylinder", *trial, f"{option}={value}{three}", "--colour")
                     first = result.stderr.splitlines()[0]
                     self.assertGreater(result.returncode, 0)

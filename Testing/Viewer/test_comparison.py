@@ -9,19 +9,20 @@ from session import SessionCase, run
 MODULUS = 3.45  # E*, MPa
 POISSON = 0.45
 YOUNG = MODULUS * (1 - POISSON ** 2)
-SPAN, WIDTH, THICKNESS, HEIGHT = 56.0, 20.0, 3.0, 20.0  # mm: strip between its rollers, block
+# Span of the strip between its rollers, width, thickness of the strip, height of the block, mm.
+SPAN, WIDTH, THICKNESS, HEIGHT = 56.0, 20.0, 3.0, 20.0
 FLAT = 1.6  # radius of the flat tool
 
 
 def tools(printed, title):
-    """Tool -> (force, lambda, sensitivity) below a title."""
+    """Tool -> (force, lambda, sensitivity) from the lines below a title."""
     part = printed.split(title)[1].split("\n\n")[0]
     found = re.findall(r"^  (\S+)\s+(\S+) N, lambda (\S+), sensitivity (\S+)$", part, re.M)
     return {name: tuple(map(float, numbers)) for name, *numbers in found}
 
 
 def in_series(compliance, depth, law):
-    """Force of a tool that feels law(depth) on a half-space, in series with a compliance."""
+    """Force of a tool with law(depth) on a half-space, in series with a compliance."""
     low, high = 0.0, depth
     for _ in range(100):
         middle = 0.5 * (low + high)
@@ -54,16 +55,16 @@ class Comparison(SessionCase):
         self.assertRegex(said, r"Strip.*\nA point force suffices")
         self.assertRegex(said, r"Block.*\nThe shape of the tool matters\.")
 
-        # The flat's law is linear, so its force gives the compliance. The strip is a beam on two
-        # supports, L^3/48EI. Shear makes it softer (2 %: 6/5 F L/4GA). If it cannot curl across its
-        # width, it is stiffer, at most like a plate, E/(1 - nu^2).
+        # The law of the flat is linear, so its force gives the compliance. The strip is a beam on
+        # two supports, L^3/48EI. Shear makes it softer (2 %: 6/5 F L/4GA). If it cannot bend across
+        # its width, it is stiffer, at most like a plate, for which E is replaced by E/(1 - nu^2).
         force = strip["flat:1.6"][0]
         compliance = 1.0 / force - 1.0 / (2 * MODULUS * FLAT)
         inertia = WIDTH * THICKNESS ** 3 / 12
         beam = SPAN ** 3 / (48 * YOUNG * inertia)
         self.assertGreater(compliance, (1 - POISSON ** 2) * beam)
         self.assertLess(compliance, 1.02 * beam)
-        # The other tools in series with that compliance; eight samples store it to 0.5 %.
+        # The other tools in series with this compliance. Eight samples store their curves to 0.5 %.
         for name, radius in (("paraboloid:6.35", 6.35), ("paraboloid:1.6", 1.6)):
             force, index, sensitivity = strip[name]
             expected = in_series(compliance, 1.0, paraboloid(radius))
@@ -84,7 +85,7 @@ class Comparison(SessionCase):
         self.assertIn("E = 0.1 MPa, nu = 0.3 (given on the command line)", said)
         self.assertIn("At 0.50 mm", said)
         force, index, _ = tools(said, "Block")["flat:2"]
-        # Near the half-space: the block itself adds less than a tenth.
+        # The result is close to a half-space, because the block adds less than a tenth.
         self.assertAlmostEqual(force, 2 * 0.1 / (1 - 0.3 ** 2) * 2 * 0.5, delta=0.02)
         self.assertAlmostEqual(index, 0.0, delta=0.1)
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView, Python, C++ and the program have the same defaults and the same words, each read from its own source: the
-plugin's XML files, the signatures of the package, the getters of the classes, and the help and the summary of the program.
+"""ParaView, Python, C++ and the program have the same defaults and the same words. Each is read from its own source:
+the plugin's XML files, the signatures of the package, the getters of the classes, and the help and the summary of the
+program.
 
-Left out are defaults that differ by intent: the material of the built-in scenes, and whether the deflection of the whole body
-is included.
+Defaults that differ intentionally are excluded: the material of the built-in scenes, and whether the deflection of the
+whole body is included.
 """
 import inspect
 import re
@@ -34,7 +35,7 @@ PROBE = (
     ("PoissonRatio", "poisson", None), ("ForceForm", "force_form", "force-form"),
     ("ContactSurface", "surface", "contact-surface"), ("RelaxationElements", "relaxation_elements", "relaxation-elements"),
     ("Indentation", "indentation", None), ("Coupled", "coupled", None), ("ResponseName", "name", None))
-# Of others: property, getter of the class, option.
+# Settings of other filters: property, getter of the class, option.
 SKIN = (("ContourValue", "contour"), ("ClosingRadius", "closing"), ("Resolution", "resolution"))
 
 
@@ -51,7 +52,7 @@ def property_of(name, setting):
 
 
 def words_of(element):
-    """The words of an enumeration as the program writes them, by value; none of a number."""
+    """Value -> word of an enumeration as the program writes it; empty for a number."""
     entries = element.findall("EnumerationDomain/Entry")
     words = {int(entry.get("value")): entry.get("text").lower().replace(" ", "-") for entry in entries}
     return ["small" if words[i] == "small-strain" else words[i] for i in range(len(words))]
@@ -77,7 +78,7 @@ class Help:
         self.text = run("--help").stdout
 
     def default(self, option):
-        """`--option KIND=DEFAULT`; a flag is off, or has its default in its text."""
+        """The default of `--option KIND=DEFAULT`. A flag is off, or has its default in its text."""
         head = re.search(r"^  --%s[, ].*$(?:\n {10,}.*)?" % option, self.text, re.MULTILINE).group(0)
         found = re.search(r"--%s [^=\n]*=(\S+)" % option, head)
         if found:
@@ -136,7 +137,8 @@ class Defaults(SessionCase):
         self.assertIn("(for BODY %g by default)" % poisson, self.help.text)
 
     def test_of_a_file_in_the_program(self):
-        """What the help says is what happens, also half of the range as depth: Indentation 0 in ParaView."""
+        """The behaviour agrees with the help, also for the default depth of half of the range, which is Indentation 0
+        in ParaView."""
         body = write(sphere(), self.folder / "body.vtp")
         result = run(body, "--no-pictures", "--output", self.output)
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate --device, --list-devices, --record: the devices found, and a recorded hand that is played again."""
+"""palpate --device, --list-devices, --record: the devices found, and the replay of a recorded hand."""
 import re
 import unittest
 
@@ -27,7 +27,7 @@ class Device(SessionCase):
         self.assertIn(" 1500 ticks", result.stdout)
         _, table = read(self.output / "trajectory.csv")
         self.assertAlmostEqual(table["deflection_mm"].max(), 1.0, delta=0.05)  # facets of the sphere
-        self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # half of the time
+        self.assertAlmostEqual(table["tip_z_mm"][500], 27.0, places=12)  # at half of the time
 
     def test_a_plant_yields_to_the_force(self):
         path = bodies.write(bodies.sphere(), self.folder / "body.vtp")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Missing or unsuitable surroundings of the program: display, scan, folders."""
+"""A missing or unsuitable environment of the program: display, scan, folders."""
 import re
 import unittest
 from pathlib import Path
@@ -41,7 +41,7 @@ class Environment(SessionCase):
         self.refuse(self.body(), words=(self.output,))
 
     def test_file_that_cannot_be_written(self):
-        # A folder has the name of the file: not even root can write it.
+        # A folder has the name of the file, so that not even root can write the file.
         for name in ("trajectory.csv", "overview.png", "curves.png"):
             with self.subTest(name=name):
                 self.output = self.folder / f"out {name}"

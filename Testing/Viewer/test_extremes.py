@@ -46,7 +46,7 @@ def many_balls(number):
 
 
 def far(data, away):
-    """The same, `away` mm from the origin along each axis, its points in double."""
+    """The same body, `away` mm from the origin along each axis, with points in double precision."""
     move = vtkTransform()
     move.Translate(away, away, away)
     moved = vtkTransformPolyDataFilter()
@@ -73,7 +73,7 @@ class Extremes(SessionCase):
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
         forces = [peak_force(self.succeed(path, "--tool", "sphere:3", "--young", young))
                   for young in ("1e-6", "1e6")]
-        self.assertLess(abs(forces[1] / (1e12 * forces[0]) - 1.0), 0.02)  # three digits
+        self.assertLess(abs(forces[1] / (1e12 * forces[0]) - 1.0), 0.02)  # the summary has three digits
 
     def test_materials_that_do_not_exist_are_refused(self):
         path = bodies.write(bodies.sphere(), self.folder / "ball.vtp")
@@ -90,7 +90,7 @@ class Extremes(SessionCase):
     def test_a_kilometre_away_it_feels_the_same(self):
         here = peak_force(self.press(bodies.sphere(), "ball.vtp"))
         there = peak_force(self.press(far(bodies.sphere(), 1e6), "far.vtp", pictures=PICTURES))
-        self.assertLess(abs(there / here - 1.0), 0.01)  # three digits
+        self.assertLess(abs(there / here - 1.0), 0.01)  # the summary has three digits
 
     def test_ten_thousand_pieces(self):
         felt = self.press(many_balls(101 ** 2), "pieces.vtp", pictures=PICTURES)

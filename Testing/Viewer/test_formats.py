@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The session runs on every kind of file."""
+"""The session runs on files of every kind."""
 import unittest
 
 from vtkmodules.vtkFiltersCore import vtkReverseSense
@@ -10,7 +10,7 @@ from session import SessionCase, peak_force, vertices
 
 class Formats(SessionCase):
     def test_surfaces(self):
-        # Hertz: 4/3 E* sqrt(R) d^1.5 with E* = 0.1/(1 - 0.45²), a ball on a ball of 25 mm; the
+        # Hertz: 4/3 E* sqrt(R) d^1.5 with E* = 0.1/(1 - 0.45²), for a ball on a ball of 25 mm. The
         # exact sphere is slightly softer.
         hertz = 4.0 / 3.0 * 0.1 / (1.0 - 0.45 ** 2) * (1 / (1 / 3.0 + 1 / 25.0)) ** 0.5
         for name, settings in (

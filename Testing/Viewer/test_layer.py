@@ -15,7 +15,7 @@ RADIUS, THICKNESS = 16.3, 6.0  # mm
 
 
 def scanned_ball():
-    """A ball as bodies.ball_grey makes it, with a dark core, blurred likewise."""
+    """A ball made by bodies.ball_grey, with a dark core that is blurred in the same way."""
     size = 48
     core = bodies.distances(size, (0.5 * (size - 1),) * 3) - (RADIUS - THICKNESS)
     return bodies.image(numpy.minimum(
@@ -49,15 +49,15 @@ class Layer(SessionCase):
         self.assertIn("half-space at every vertex", plain.stdout)
         self.assertFalse(read(saved).GetPointData().HasArray("LayerThickness"))
         layered = self.succeed(path, *usual, "--layer", "scan", pictures=(*PICTURES, "thickness"))
-        # A tenth of a voxel, and the same again for the position of the skin.
+        # Tolerance: a tenth of a voxel for the base, and a tenth for the skin.
         thickness = array(read(saved), "LayerThickness")
         numpy.testing.assert_allclose(thickness, THICKNESS, atol=0.2)
         self.assertIn("at the 100 % of the vertices", layered.stdout)
         self.assertRegex(layered.stdout, r"times the force on a half-space: sphere:3 1\.[1-9]\d at")
-        # The same in centimetres, and with no value that counts as bone.
+        # The same scan in centimetres, and with no value that is considered bone.
         self.succeed(path, *usual, "--layer", "scan", "--length-unit", "cm", "--closing", "0",
                      "--depth", "0.5", pictures=(*PICTURES, "thickness"))
-        self.assertAlmostEqual(array(read(saved), "LayerThickness").max(), 0.0)  # 60 mm is too deep
+        self.assertAlmostEqual(array(read(saved), "LayerThickness").max(), 0.0)  # 60 mm is deeper than the search
         none = self.succeed(path, *usual, "--layer", "scan", "--base", "-1",
                             pictures=(*PICTURES, "thickness"))
         self.assertIn("the scan shows no bone", none.stdout)
@@ -93,8 +93,9 @@ class Layer(SessionCase):
         stack = vtk_to_numpy(body.GetFieldData().GetArray("ResponseLayerStack"))
         numpy.testing.assert_allclose(stack[:, 1:3], [[0.2, 0.48], [0.03, 0.49]])
         self.assertIn("the rest of the soft tissue of 0.03 MPa", result.stdout)
-        self.assertIn("the first: sphere:3 0.", result.stdout)   # soft base: less force than with the first layer alone
-        # At more than half of the points the layer is not that of the given thickness.
+        # On the soft base the force is less than with the first layer alone.
+        self.assertIn("the first: sphere:3 0.", result.stdout)
+        # At more than half of the points, the given thickness of the second layer is not possible.
         self.succeed(path, *usual, "--layers", "scan:0.03:0.49,50:0.2:0.48", pictures=(*PICTURES, "thickness"))
         body = read(saved)
         numpy.testing.assert_allclose(array(body, "LayerThickness0"), array(body, "LayerThickness1"))
@@ -115,8 +116,8 @@ class Layer(SessionCase):
 
 @unittest.skipUnless(SCAN.exists(), f"{SCAN} is not installed (Debian: apt install mricron-data)")
 class Head(SessionCase):
-    """Colin 27. The ranges are our own reading of its grey values along the normal, generous by 2 mm;
-    they tell a lost base or a wrong axis, not the last millimetre."""
+    """Colin 27. The ranges are our own reading of its grey values along the normal, with a margin of 2 mm. They detect
+    a missing base or a wrong axis, but not an error below this margin."""
 
     def test_soft_tissue_over_the_skull(self):
         saved = self.folder / "head.vtp"
@@ -147,7 +148,8 @@ class Head(SessionCase):
                 self.assertLess((thickness[region] > 0).mean(), 0.1)
         share = float(re.search(r"at the (\d+) % of the vertices", result.stdout).group(1))
         self.assertAlmostEqual(share, 100 * (thickness > 0).mean(), delta=0.6)
-        # Stiffer over bone, equal elsewhere: the samples of one tool on one half-space.
+        # The force is larger over bone and equal elsewhere, where all points have the samples of
+        # one tool on a half-space.
         deepest = array(body, "ResponseForce")[:, -1]
         half_space = numpy.median(deepest[thickness == 0])
         numpy.testing.assert_allclose(deepest[thickness == 0], half_space, rtol=1e-5)

@@ -19,7 +19,7 @@ class FullDisk(SessionCase):
         self.output.mkdir()
 
     def refuse(self, *arguments, words, **more):
-        """Must end by its own will with exit code 1 and the words."""
+        """The program must end with exit code 1 and the words, not by a signal."""
         result = run(self.body, *MATERIAL, *arguments, "--output", self.output, **more)
         self.assertEqual(result.returncode, 1, result.stderr)
         for word in words:
@@ -27,21 +27,22 @@ class FullDisk(SessionCase):
         return result
 
     def hand(self, ticks):
-        """A hand that presses 1 mm deep for so many ticks, as a file."""
+        """Makes a file of a hand that presses 1 mm deep for `ticks` ticks."""
         script = self.folder / "hand.csv"
         script.write_text("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n0,0.4,0.3,26\n"
                           f"{0.0005 * ticks},0.4,0.3,24\n{0.001 * ticks},0.4,0.3,24\n")
         return f"replay:{script}"
 
     def replay(self, record):
-        """The program's own reader takes it; how many ticks it found."""
+        """The program's own reader accepts the recording. Returns the number of ticks found."""
         again = self.folder / "again"
         result = run(self.body, *MATERIAL, "--device", f"replay:{record}", "--output", again)
         self.assertEqual(result.returncode, 0, result.stderr)
         return len((again / "trajectory.csv").read_text().splitlines()) - 1
 
     def check_kept_rows(self, record, whole, result):
-        """What had room is the beginning of the whole, to a row, and is played by the program."""
+        """The rows that fit on the disk are the beginning of the whole recording, without partial rows, and the program
+        can replay them."""
         part = record.with_name(record.name + ".part")
         kept = part.read_bytes()
         self.assertTrue(whole.startswith(kept))
@@ -80,7 +81,7 @@ class FullDisk(SessionCase):
 
     def test_saved_bodies(self):
         saved = {"--save": self.folder / "saved.vtp", "--export": self.folder / "saved.palpate"}
-        trial = ("--trial", "young=0.1,young=0.2", "--log", self.folder / "log.csv")  # draws nothing
+        trial = ("--trial", "young=0.1,young=0.2", "--log", self.folder / "log.csv")  # a trial draws nothing
         first = run(self.body, *MATERIAL, *trial, *(word for pair in saved.items() for word in pair),
                     answers="")
         self.assertEqual(first.returncode, 0, first.stderr)
@@ -101,7 +102,7 @@ class FullDisk(SessionCase):
         whole = run(self.body, *trial, log, answers="1\n" * 10)
         self.assertEqual(whole.returncode, 0, whole.stderr)
         head = [line for line in log.read_text().splitlines() if line.startswith("#")]
-        size = sum(map(len, head)) + 200  # room for the names of the columns and some answers
+        size = sum(map(len, head)) + 200  # bytes; enough for the names of the columns and some answers
         short = self.folder / "short.csv"
         result = run(self.body, *trial, short, answers="1\n" * 10, room=size)
         self.assertEqual(result.returncode, 1, result.stderr)
@@ -112,7 +113,7 @@ class FullDisk(SessionCase):
         self.assertEqual([row.split(",")[0] for row in rows],
                          [str(i + 1) for i in range(len(rows))])
         self.assertTrue(2 <= len(rows) < 10, rows)
-        # Not even the head fits: no file is left that would block another attempt.
+        # Not even the head fits. No file remains that would block another attempt.
         none = self.folder / "none.csv"
         result = run(self.body, *trial, none, answers="", room=50)
         self.assertEqual(result.returncode, 1, result.stderr)

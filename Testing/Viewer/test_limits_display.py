@@ -17,7 +17,7 @@ from bridge_peer import BridgePeer
 from own_display import OwnDisplay
 from session import CACHE, PALPATE, TIME_OUT, SessionCase, run
 
-LOWEST = 0.025  # m below the start, which is 10 mm above the body
+LOWEST = 0.025  # m below the initial position, which is 10 mm above the body
 GONE = "the X server of DISPLAY='{}' is gone"
 
 
@@ -30,7 +30,7 @@ class DisplayLoss(SessionCase):
         self.addCleanup(self.display.kill)
 
     def open(self, *arguments):
-        """Starts the program in a window; returns when it is open."""
+        """Starts the program in a window. Returns when the window is open."""
         settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name, "DISPLAY": self.display.name}
         self.log = self.folder / "said.txt"
         with open(self.log, "w", encoding="utf-8") as log:
@@ -58,20 +58,21 @@ class DisplayLoss(SessionCase):
         self.assertIn(GONE.format(self.display.name), self.said())
 
     def socket_path(self):
-        """Short, since a socket's path is."""
+        """A short path, because the length of a socket's path is limited."""
         folder = tempfile.mkdtemp(prefix="palpate")
         self.addCleanup(shutil.rmtree, folder)
         return Path(folder) / "device"
 
     def press(self, program, peer):
-        """Until the body pushes back. After a reading that came too late there is no force until the hand has been outside: it
-        lifts off, and comes again."""
+        """Moves the hand until the body exerts a force. After a late reading there is no force until the hand has been
+        outside; then the hand lifts off and presses again."""
         begin = time.monotonic()
 
         def pushes():
             if peer.is_pushing():
                 return True
-            # The device's z points out of the screen, which the view turns by 25 to 75 degrees from the normal.
+            # The device's z axis points out of the screen, which is turned by 25 to 75 degrees from
+            # the normal.
             part = (time.monotonic() - begin) % 2.0 / 1.5
             peer.position = (0.0, 0.0, -LOWEST * part if part < 1.0 else 0.0)
             return False
@@ -80,8 +81,8 @@ class DisplayLoss(SessionCase):
 
     @contextlib.contextmanager
     def pressed(self, record):
-        """The program in its window with a hand that presses, and that hand, which must feel nothing in
-        the end; everything is recorded."""
+        """The program in its window with a hand that presses. The force on the hand must be zero at the end. Everything
+        is recorded."""
         path = self.socket_path()
         with BridgePeer(path) as peer:
             program = self.open("--tool", "sphere:3", "--site", "1,0,0", "--record", record,
@@ -89,7 +90,7 @@ class DisplayLoss(SessionCase):
             self.wait_until(lambda: "tool: " in self.said(), program, "the window is open")
             self.press(program, peer)
             yield program, peer
-            time.sleep(0.1)  # the datagrams in the socket
+            time.sleep(0.1)  # time for the datagrams that are still in the socket
         self.assertEqual(peer.forces[-1][2:], (0.0, 0.0, 0.0), "the last force")
 
     def test_the_hand_is_let_go_of_and_the_record_is_saved(self):
@@ -103,7 +104,7 @@ class DisplayLoss(SessionCase):
         self.check_record(record, ticks)
 
     def check_record(self, record, ticks):
-        """Every tick is in it, to the one that pressed, and the same hand feels the same again."""
+        """The recording contains every tick up to the last press, and its replay gives the same force."""
         lines = record.read_text().splitlines()
         self.assertEqual(len(lines), ticks + 1)
         forces = [float(line.split(",")[8]) for line in lines[1:]]

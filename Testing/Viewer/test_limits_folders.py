@@ -22,7 +22,7 @@ class Folders(SessionCase):
         (self.folder / "read").mkdir()
 
     def refuse_at_once(self, option, path, reason, **more):
-        """Before anything was made, even the output folder."""
+        """The refusal comes before any file is made, even before the output folder."""
         window = ("--window",) if option == "--screenshot" else ()
         self.refuse(self.body, *MATERIAL, option, path, *window, words=(f"'{path}'", reason), **more)
         self.assertFalse(self.output.exists())
@@ -62,8 +62,8 @@ class Folders(SessionCase):
                 self.assertNotIn("1: X", result.stdout, "nobody was asked")
 
     def touch_scan(self, cache, **more):
-        """A scan as the scene of a head; what was said of the cache. In a trial, where nothing is
-        drawn: the renderer keeps its own cache there, and dies of a disk that is full (Mesa 22)."""
+        """Uses a scan as the scene of a head. Returns the message about the cache. Runs a trial, which draws nothing:
+        the renderer has its own cache there and crashes on a full disk (Mesa 22)."""
         scan = self.folder / "ball.vti"
         if not scan.exists():
             image = bodies.image(bodies.ball_grey())

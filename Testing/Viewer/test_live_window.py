@@ -17,7 +17,7 @@ import time
 import unittest
 
 PROGRAM, FOLDER = sys.argv[1], sys.argv[2]
-FOLLOW = 3.0  # seconds for a few frames, software-rendered on a busy machine
+FOLLOW = 3.0  # s, time for a few frames, software-rendered on a busy machine
 
 
 def xdotool(*words):
@@ -44,7 +44,7 @@ class LiveWindow(unittest.TestCase):
     def tearDown(self):
         self.program.kill()
         self.program.wait()
-        xdotool("mouseup", 1)  # for the next test: a button that is already down cannot be pressed
+        xdotool("mouseup", 1)  # a button that is already down cannot be pressed in the next test
 
     def said(self):
         with open(self.log, encoding="utf-8") as log:
@@ -74,24 +74,24 @@ class LiveWindow(unittest.TestCase):
         ticks = int(re.search(r"(\d+) ticks", said).group(1))
         self.assertGreater(ticks, 1000)
         # Hertz: 4/3 E* sqrt(R) d^1.5 at d = 1.5 mm, less 2 % for the exact sphere. The hand presses
-        # along blended normals over facets, so the depth is not exactly 1.5 mm.
+        # along interpolated normals of facets, so the depth is not exactly 1.5 mm.
         hertz = 4.0 / 3.0 * 3.45 * math.sqrt(6.35) * 1.5 ** 1.5
         self.assertAlmostEqual(self.strongest_force(said), 0.98 * hertz, delta=0.06 * hertz)
         self.assertTrue(self.shows_force_and_dent(), "see " + self.picture)
-        # Tools were changed during contact without a restart, so one count covers all ticks.
+        # Tools were changed during contact without a restart, so one count contains all ticks.
         self.assertRegex(said, r"\b1 changes? of scene")
         for word in ("device: ", "wake-up", "worst", "0 disconnections"):
             self.assertIn(word, said)
 
     def test_the_panel_changes_what_is_felt_and_how_it_is_shown(self):
-        """Sliders and buttons under the real pointer; where they are is what the window of 1280 x 960 shows."""
+        """Sliders and buttons under the real pointer. Their positions are those in a window of 1280 x 960."""
         self.quit()
         folder = os.path.join(FOLDER, "panel-output")
         shutil.rmtree(folder, ignore_errors=True)
         self.open("panel", "--output", folder)
         xdotool("mousemove", 600, 330)
         time.sleep(FOLLOW)
-        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # only the wheel presses, 0.1 mm per notch
+        xdotool("click", "--repeat", 10, "--delay", 50, 4)  # the wheel alone presses, by 0.1 mm per notch
         time.sleep(FOLLOW)
         for key in ("k", "question", "p", "question", "p", "k"):
             xdotool("key", key)
@@ -101,14 +101,14 @@ class LiveWindow(unittest.TestCase):
         self.assertGreater(len(rows), 1000)
         self.assertAlmostEqual(float(rows[-1].split(",")[7]), 1.0, delta=0.05)
         helped, bare = (self.pixels(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2))
-        self.assertGreater((abs(helped - bare).sum(axis=2) > 60).mean(), 0.05) # the sheet that ? shows and hides
+        self.assertGreater((abs(helped - bare).sum(axis=2) > 60).mean(), 0.05) # the key ? shows and hides this sheet
         xdotool("mousemove", 1228, 260, "mousedown", 1)  # Young's modulus, from 2.59 MPa to the end: 10 MPa
         xdotool("mousemove", 1250, 262)
         xdotool("mousemove", 1270, 264, "mouseup", 1)
-        # The frames of the slider come first, rendered in software. Then the responses are computed
-        # in the background: 2 to 3 s if nothing else runs.
+        # First the frames of the slider are rendered in software. Then the responses are computed
+        # in the background, which takes 2 to 3 s if nothing else runs.
         time.sleep(6 * FOLLOW)
-        # Flat punch: 2 a E* d, 1 mm deep; blended normals over facets, as above.
+        # Flat punch: 2 a E* d, 1 mm deep; normals are interpolated over facets, as above.
         flat = 2.0 * 1.6 * 10.0 / (1.0 - 0.25)
         self.assertAlmostEqual(self.strongest_force(self.quit()), flat, delta=0.06 * flat)
 
@@ -127,7 +127,7 @@ class LiveWindow(unittest.TestCase):
             time.sleep(FOLLOW)
         self.quit()
         told = [self.hint(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2, 3, 4)]
-        self.assertGreater(told[0], 300, told)  # strokes of about 45 letters
+        self.assertGreater(told[0], 300, told)  # pixels of the strokes of about 45 letters
         self.assertEqual(told, [told[0], told[0], told[0], 0])
 
     def test_a_recorded_session_can_be_replayed(self):
@@ -145,7 +145,7 @@ class LiveWindow(unittest.TestCase):
         self.open("replay", "--device", "replay:" + record)
         time.sleep(float(rows[-1].split(",")[0]))
         again = self.strongest_force(self.quit())
-        self.assertEqual(self.hint(self.picture), 0)  # a device that presses by itself needs no hint
+        self.assertEqual(self.hint(self.picture), 0)  # a device with its own hand needs no hint
         felt = max(float(row.split(",")[12]) for row in rows[1:])
         self.assertAlmostEqual(again, felt, delta=1e-3 * felt)  # printed with four digits
 
@@ -183,8 +183,8 @@ class LiveWindow(unittest.TestCase):
             xdotool("mouseup", 1)
             said = self.quit()
             felt = re.search(r"strongest force: strip (\S+) N, block (\S+) N", said)
-            # The summary's force at 1 mm there, at the vertex next to the contact. Neighbours
-            # differ by 1 %.
+            # The force at 1 mm in the summary is for the vertex next to the contact. Neighbouring
+            # vertices differ by 1 %.
             told = re.findall(r"sphere:6.35\s+(\S+) N", said)
             for one, other in zip(felt.groups(), told):
                 self.assertAlmostEqual(float(one), float(other), delta=0.03 * float(other), msg=said)
@@ -200,7 +200,7 @@ class LiveWindow(unittest.TestCase):
     def test_a_pointer_that_jumps_presses_nothing_and_presses_no_deeper_than_set(self):
         self.quit()
         record = os.path.join(FOLDER, "jumps.csv")
-        # Stiff rubber: far above the 10 N to which a device would be limited.
+        # The rubber is stiff: the force is far above the 10 N to which a device would be limited.
         self.open("jumps", "--young", "50", "--record", record)
         for x, y in ((420, 330), (760, 330), (450, 360), (780, 300), (600, 330)):
             xdotool("mousemove", x, y)
@@ -221,9 +221,9 @@ class LiveWindow(unittest.TestCase):
         first = next(index for index, depth in enumerate(depths) if depth > 0)
         travelled = {round(tick["tip_x_mm"] / 5) for tick in ticks[:first]} | {
             round(tick["tip_y_mm"] / 5) for tick in ticks[:first]}
-        self.assertGreater(len(travelled), 4)  # it has moved over the body, without contact
-        self.assertLess(max(depths), 0.8 + 1e-4)  # the facets' corners are stored as floats
-        self.assertAlmostEqual(depths[-1], 0.8, delta=0.04)  # blended normals over facets, as above
+        self.assertGreater(len(travelled), 4)  # the tool has moved over the body without contact
+        self.assertLess(max(depths), 0.8 + 1e-4)  # the corners of the facets are stored as floats
+        self.assertAlmostEqual(depths[-1], 0.8, delta=0.04)  # normals are interpolated over facets, as above
         self.assertGreater(max(tick["ideal_force_N"] for tick in ticks), 50.0)
 
     def test_one_finger_lifts_the_force_off_the_other(self):
@@ -243,10 +243,11 @@ class LiveWindow(unittest.TestCase):
         with open(record, encoding="utf-8") as file:
             ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
         alone, together = max(ticks, key=lambda tick: tick["ideal_force_N"]), ticks[-1]
-        for tick in (alone, together):  # 2 a E* of the remaining depth; blended normals over facets, as above
+        # 2 a E* times the remaining depth; normals are interpolated over facets, as above
+        for tick in (alone, together):
             flat = 2.0 * 1.6 * 3.45 * tick["deflection_mm"]
             self.assertAlmostEqual(tick["ideal_force_N"], flat, delta=0.06 * flat)
-        # The finger has not moved, and the other tool has lowered the surface under it.
+        # The tip has not moved, and the other tool has lowered the surface under it.
         for axis in "xyz":
             self.assertAlmostEqual(alone[f"tip_{axis}_mm"], together[f"tip_{axis}_mm"], delta=1e-3)
         self.assertAlmostEqual(alone["deflection_mm"], 1.0, delta=0.05)
@@ -264,9 +265,10 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         xdotool("click", "--repeat", 3, "--delay", 50, 4)  # 0.3 mm
         time.sleep(FOLLOW)
-        xdotool("key", "bracketright", "key", "bracketright")  # 2.5 degrees each: its edge is deeper by a sin 5 degrees
+        # 2.5 degrees each; the tool's edge is deeper by a sin 5 degrees
+        xdotool("key", "bracketright", "key", "bracketright")
         time.sleep(FOLLOW)
-        xdotool("click", "--repeat", 2, "--delay", 1000, 5)  # back, until the edge passes 0.3 mm
+        xdotool("click", "--repeat", 2, "--delay", 1000, 5)  # upward, until the depth of the edge is below 0.3 mm
         time.sleep(FOLLOW)
         said = self.quit()
         with open(record, encoding="utf-8") as file:
@@ -274,15 +276,15 @@ class LiveWindow(unittest.TestCase):
         axes = [tick["axis_x"] ** 2 + tick["axis_y"] ** 2 + tick["axis_z"] ** 2 for tick in ticks]
         upright = [tick for tick, axis in zip(ticks, axes) if axis == 0 and tick["ideal_force_N"] > 0][-1]
         deepest = max(index for index, tick in enumerate(ticks) if tick["deflection_mm"] > 0.335)
-        leaning = ticks[deepest:]  # the turn was long before; the tool moves up
+        leaning = ticks[deepest:]  # the tool was tilted long before; now it moves up
         same = min(leaning, key=lambda tick: abs(tick["deflection_mm"] - upright["deflection_mm"]))
         print("upright", upright["ideal_force_N"], "N at", upright["deflection_mm"], "mm, leaning",
               same["ideal_force_N"], "N at", same["deflection_mm"], "mm")
         self.assertAlmostEqual(upright["deflection_mm"], 0.3, delta=0.015)
         self.assertAlmostEqual(same["deflection_mm"], upright["deflection_mm"], delta=0.005)
-        # 0.555 of the upright force on a half-space, 0.1875 radii deep (Data/Reference/tilt). The
-        # body is a cylinder. The tilt is relative to its blended normals, which differ by a degree
-        # from facet to facet, and the curve is steep there.
+        # The force is 0.555 of the upright force on a half-space, 0.1875 radii deep
+        # (Data/Reference/tilt). The body is a cylinder. The tilt is relative to its interpolated
+        # normals, which differ by a degree from facet to facet, and the curve is steep there.
         self.assertAlmostEqual(same["ideal_force_N"] / upright["ideal_force_N"], 0.555, delta=0.08, msg=said)
         torque = math.hypot(*(same[f"torque_{axis}_Nmm"] for axis in "xyz"))
         self.assertGreater(torque, 0.1 * same["ideal_force_N"])
@@ -303,7 +305,7 @@ class LiveWindow(unittest.TestCase):
         self.assertGreater(moved, 0.05)
 
     def pixels(self, picture=None):
-        """The last picture, or another, as rows of (red, green, blue), without the legend."""
+        """The last picture, or the given picture, as rows of (red, green, blue), without the legend."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOImage import vtkPNGReader
         reader = vtkPNGReader()
@@ -314,12 +316,12 @@ class LiveWindow(unittest.TestCase):
         return pixels.reshape(-1, width, pixels.shape[1])[:, : int(0.8 * width), :3]
 
     def hint(self, picture):
-        """Pixels of its blue letters, in the corner at the top left."""
+        """Number of pixels of the hint's blue letters in the upper left corner."""
         corner = self.pixels(picture)[-32:, :520]
         return int(((corner[..., 0] < 60) & (corner[..., 2] > 120)).sum())
 
     def shows_force_and_dent(self):
-        """The picture has the red of the force and the violet of a dent."""
+        """The picture shows the red force arrow and the violet dent."""
         pixels = self.pixels()
         red, green, blue = pixels[..., 0], pixels[..., 1], pixels[..., 2]
         force = ((red > 150) & (green < 80) & (blue < 60)).sum()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--measured and --register: a body is pressed with another tool than the one of the measurement."""
+"""--measured and --register: a body is pressed with a tool that was not used for the measurement."""
 import os
 import re
 import unittest
@@ -21,7 +21,7 @@ def interval(symbol, line):
 
 class Measured(SessionCase):
     def ball(self, *sites, tool="paraboloid:3"):
-        """(body, curves): Hertz's paraboloid of 3 mm on a ball taken for a half-space."""
+        """(body, curves): Hertz's curves of a paraboloid of 3 mm, on a ball that is treated as a half-space."""
         body = bodies.write(bodies.sphere(RADIUS), self.folder / "ball.vtp")
         curves = self.folder / "curves.csv"
         lines = [f"# tool: {tool}", "site,x_mm,y_mm,z_mm,deflection_mm,force_N"]
@@ -32,7 +32,7 @@ class Measured(SessionCase):
         return body, curves
 
     def check_flat(self, result):
-        """A flat of 1 mm has felt 2 a E* δ at the depth it reached, both as printed, to four digits."""
+        """The force on a flat of 1 mm is 2 a E* δ at the reached depth; both are printed with four digits."""
         depth = float(re.search(r"peak\s+force \S+ N, deflection (\S+) mm", result.stdout).group(1))
         self.assertAlmostEqual(depth, 0.5, delta=0.01)  # the site is on a facet
         self.assertAlmostEqual(peak_force(result), 2 * 1 * MODULUS * depth, delta=2e-4 * 0.05)
@@ -82,8 +82,8 @@ class Measured(SessionCase):
 
     def test_the_largest_strain_is_an_option_and_named(self):
         body, curves = self.ball(("pole", 0, 0, RADIUS))
-        # The strain of a paraboloid is √(δ/R): 0.4 at 0.48 mm. Of the readings, 0.02 mm apart to 1
-        # mm, 26 are deeper and one is at this depth.
+        # The strain of a paraboloid is √(δ/R): 0.4 at 0.48 mm. The readings are 0.02 mm apart, up
+        # to 1 mm; 26 of them are deeper and one is at this depth.
         result = self.succeed(body, "--measured", curves)
         self.assertRegex(result.stderr, "2[67] of 56 readings are not used: they lie deeper than the largest strain of 0.4 allows")
         result = self.succeed(body, "--measured", curves, "--max-strain", "0.6")  # up to 1.08 mm

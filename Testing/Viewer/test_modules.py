@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An option whose module is missing, broken or foreign is refused with a message; everything else works."""
+"""An option whose module is missing, damaged or from another version is refused with a message. Everything else
+works."""
 import os
 import shutil
 import unittest
@@ -10,7 +11,7 @@ import numpy
 from session import SessionCase, run
 
 MECHANICS = Path(os.environ.get("PALPATE_MECHANICS", ""))  # the library that loads modules from its folder
-COMPARISON = Path(os.environ.get("PALPATE_COMPARISON", ""))  # the viewer's module of that name
+COMPARISON = Path(os.environ.get("PALPATE_COMPARISON", ""))  # the viewer's module Comparison
 CURVES = Path(os.environ.get("PALPATE_DATA", "")) / "Examples" / "cylinder_sphere_curves.csv"
 
 
@@ -25,7 +26,7 @@ class Modules(SessionCase):
 
     @staticmethod
     def soname():
-        """libpalpateMechanics.so.0.1 of libpalpateMechanics.so.0.1.0"""
+        """The soname of the library, libpalpateMechanics.so.0.1 for libpalpateMechanics.so.0.1.0."""
         return MECHANICS.name.rsplit(".", 1)[0]
 
     def test_an_option_without_its_module_is_refused(self):

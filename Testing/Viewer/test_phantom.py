@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""palpate --scene phantom: invisible nodules change the force as in another code; a map; blind trials, lump or none."""
+"""palpate --scene phantom: nodules change the force as computed by another code; a map; blind trials with lump and
+none."""
 import csv
 import os
 import re
@@ -17,7 +18,7 @@ ROWS = re.compile(r"([\d.]+) mm, (\d) mm deep: ([+-][\d.]+) %")
 
 
 def expected(radius, top):
-    """By which part a nodule ten times as hard changes the force of a sphere of 1.6 mm, DEPTH deep."""
+    """Relative change of the force on a sphere of 1.6 mm, DEPTH deep, by a nodule that is ten times as hard."""
     with open(TABLE, encoding="utf-8", newline="") as file:
         found = [float(row["dF_%"]) / 100 for row in csv.DictReader(file) if row["tool"] == "sphere1.6" and
                  (float(row["R_nodule"]), float(row["top_depth"]), float(row["E_ratio"]), float(row["delta"])) ==
@@ -28,7 +29,7 @@ def expected(radius, top):
 class Phantom(SessionCase):
     @classmethod
     def setUpClass(cls):
-        # One solution for all tests; the cache is that of the tests.
+        # The phantom is solved once for all tests, in the cache of the tests.
         with subprocess.Popen([PALPATE, "--scene", "phantom", "--no-pictures", "--output", CACHE.name],
                               env={**os.environ, "XDG_CACHE_HOME": CACHE.name}, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True) as program:
@@ -37,15 +38,15 @@ class Phantom(SessionCase):
         assert "nine nodules" in out, out
 
     def press(self, x, y, *arguments):
-        """The middle of the scene lies 20 mm below the skin, which is at z = 0."""
+        """Force on a press at x, y. The middle of the scene is 20 mm below the skin, which is at z = 0."""
         return peak_force(self.succeed("--scene", "phantom", "--site", f"{x},{y},20", *arguments))
 
     def test_a_nodule_changes_the_force_as_the_table_says(self):
-        plain = self.press(-17.5, 23)                       # 8 mm from the centre of the next nodule, of 1.5 mm
+        plain = self.press(-17.5, 23) # 8 mm from the centre of the nearest nodule, which has a radius of 1.5 mm
         change = self.press(-2, 0) / plain - 1
         self.assertAlmostEqual(expected(3.0, 2.0), 0.24, delta=0.005)
         self.assertAlmostEqual(change, expected(3.0, 2.0), delta=0.02)
-        # The same without the choice of the smallest form.
+        # The same press without the choice of the smallest form.
         exact = self.press(-2, 0, "--no-auto") / self.press(-17.5, 23, "--no-auto") - 1
         self.assertAlmostEqual(exact, expected(3.0, 2.0), delta=0.02)
         # Plain tissue gives the same force elsewhere, except for distant nodules and walls.
@@ -63,16 +64,17 @@ class Phantom(SessionCase):
         self.assertEqual(len(rows), 9)
         for (radius, top), change in rows.items():
             # Tolerance relative to the force: 2 % for mixed cells if the top of the nodule is two
-            # or more cells deep, 5 % for one cell. All changes are largest at DEPTH. An exception
-            # is the nodule of 1.5 mm at 1 mm, which slightly exceeds the values of the table.
+            # or more cells deep, 5 % for one cell. Over all depths, the change is largest at DEPTH,
+            # except for the nodule of 1.5 mm at 1 mm, which slightly exceeds the values of the
+            # table.
             tolerance = (0.05 if top == 1 else 0.02) * (1 + expected(radius, top))
             self.assertAlmostEqual(change, expected(radius, top), delta=tolerance, msg=(radius, top))
         self.assertEqual(len(re.findall("not felt", result.stdout)), 2)
 
     def observe(self, *arguments):
-        """Says of each trial where more was felt; what was said and the log."""
+        """Answers each trial with the stronger alternative. Returns the output and the log."""
         settings = {**os.environ, "XDG_CACHE_HOME": CACHE.name}
-        settings.pop("DISPLAY", None)                       # draws nothing
+        settings.pop("DISPLAY", None)                       # a trial draws nothing
         said = ""
         with subprocess.Popen([PALPATE, "--scene", "phantom", "--output", self.output, *arguments], env=settings,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -92,7 +94,7 @@ class Phantom(SessionCase):
         self.assertIn("Under which one is the lump?", said)
         self.assertIn("right in 4 of 4, 100 %", said)
         lump, none = map(float, re.findall(r"# intensity \w: (\S+)", log))
-        self.assertAlmostEqual(lump / none - 1, expected(3.0, 2.0), delta=0.02)  # the first place, at DEPTH
+        self.assertAlmostEqual(lump / none - 1, expected(3.0, 2.0), delta=0.02)  # at the first place, at DEPTH
         for line in said.split("100 %")[0].splitlines()[:3]:
             self.assertNotIn("none", line)
 

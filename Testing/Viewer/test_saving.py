@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--save: the body with the responses of all its tools, which can be used like any other body."""
+"""--save: the file contains the body with the responses of all its tools, and can be used like any other body."""
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData

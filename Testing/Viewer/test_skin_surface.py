@@ -58,11 +58,13 @@ def border_edges(surface):
 
 def passed(wave, iterations=30, pass_band=0.02):
     """
-    What windowed-sinc smoothing leaves of a wave, `wave` spacings long, on a lattice of squares with a diagonal each.
+    Remaining fraction of a wave after windowed-sinc smoothing. The wave is `wave` spacings long, on a lattice of
+    squares with a diagonal each.
 
     Taubin, Zhang and Golub 1996: with the wave's eigenvalue k of the umbrella operator, here 2/3 (1 - cos(2 pi / wave))
-    of six neighbours, f(k) = sum of w_n c_n T_n(1 - k/2), c those of the ideal low pass up to an edge that is moved until
-    f(pass band) = 1, w Hamming's window; over f(0), since the skin does not shrink.
+    of six neighbours, f(k) = sum of w_n c_n T_n(1 - k/2). c_n are the coefficients of the ideal low pass up to an edge
+    that is moved until f(pass band) = 1; w_n is Hamming's window. The result is divided by f(0), because the skin does
+    not shrink.
     """
     n = numpy.arange(iterations + 1)
     window = 0.54 + 0.46 * numpy.cos(n * numpy.pi / (iterations + 1))
@@ -103,7 +105,7 @@ class SkinSurface(unittest.TestCase):
         self.assertEqual(regions.GetNumberOfExtractedRegions(), 1)
 
     def check_normals(self, surface, centre=CENTRE):
-        """Unit, outward, and as the triangles wind."""
+        """The normals are unit vectors, outward, and agree with the orientation of the triangles."""
         normals = vtk_to_numpy(surface.GetPointData().GetNormals()).astype(float)
         outward = points(surface) - centre
         outward /= numpy.linalg.norm(outward, axis=1)[:, None]
@@ -129,12 +131,12 @@ class SkinSurface(unittest.TestCase):
         x, y, _ = numpy.ogrid[:SIZE, :SIZE, :SIZE]
         channel = (numpy.hypot(x - CENTRE[0], y - CENTRE[1]) < 2.0) & (numpy.arange(SIZE) > CENTRE[2])
         values[channel] = 0.0
-        self.assertLess(radii(skin(values)).min(), 10.0)  # open: the cavity belongs to the surface
+        self.assertLess(radii(skin(values)).min(), 10.0)  # the cavity is open and belongs to the surface
         closed = skin(values, ClosingRadius=4.0)
         found = radii(closed)
-        self.assertGreater(found.min(), RADIUS - 1.0)  # flat over the mouth of 4 mm, but closed
+        self.assertGreater(found.min(), RADIUS - 1.0)  # the mouth of 4 mm is closed by a flat surface
         away = points(closed)[:, 2] < CENTRE[2]
-        self.assertLess(abs(found[away] - RADIUS).max(), 2.0 * SUB_VOXEL)  # the rest is unchanged
+        self.assertLess(abs(found[away] - RADIUS).max(), 2.0 * SUB_VOXEL)  # other places are unchanged
         self.assertEqual(border_edges(closed).GetNumberOfCells(), 0)
 
     def test_island_is_left_out(self):
@@ -150,19 +152,20 @@ class SkinSurface(unittest.TestCase):
         self.check_ball(skin(ball(), Resolution=2.0), tolerance=4.0 * SUB_VOXEL)
 
     def test_what_smoothing_leaves_of_a_wave(self):
-        """Voxels' terraces go, the body's form stays: with every version of VTK, whose defaults differ."""
+        """Smoothing removes the terraces of voxels and keeps the form of the body, with every version of VTK, although
+        their defaults differ."""
         x, z = numpy.arange(130), numpy.arange(12)
         for wave in (6, 8, 11, 16, 33):
             height = 5.3 + 0.28 * numpy.cos(2.0 * numpy.pi * x / wave)     # within one layer of voxels
             grey = numpy.clip(50.0 + 50.0 * (height[:, None, None] - z), 0.0, 100.0)
             found = points(skin(numpy.broadcast_to(grey, (x.size, 80, z.size))))
-            # The border is fixed. Its influence reaches 30 edges far, one neighbour per iteration.
+            # The border is fixed. Its influence extends over 30 edges, one edge per iteration.
             inner = found[(found[:, 0] > 31) & (found[:, 0] < 31.5 + 66) & (abs(found[:, 1] - 39.5) < 6)]
             phase = 2.0 * numpy.pi * inner[:, 0] / wave
             design = numpy.stack([numpy.cos(phase), numpy.sin(phase), numpy.ones(len(phase))], axis=1)
             cosine, sine, _ = numpy.linalg.lstsq(design, inner[:, 2], rcond=None)[0]
-            # VTK ends its search for the edge once f(pass band) > 0.999: where f falls fastest, the
-            # value is 0.02 lower.
+            # VTK ends its search for the edge when f(pass band) > 0.999. Where f decreases fastest,
+            # the value is 0.02 lower.
             self.assertAlmostEqual(cosine / 0.28, passed(wave), delta=0.025, msg=str(wave))
             self.assertAlmostEqual(sine, 0.0, delta=1e-3)
 
@@ -172,14 +175,14 @@ class SkinSurface(unittest.TestCase):
         self.assertAlmostEqual(found.mean(), 0.5 * RADIUS, delta=0.5 * SUB_VOXEL)
 
     def test_field_of_view_cuts(self):
-        centre = numpy.array([31.2, 30.7, 8.5])  # the ball reaches 12 mm beyond the first slice
+        centre = numpy.array([31.2, 30.7, 8.5])  # the ball extends 12 mm beyond the first slice
         surface = skin(ball(centre))
         border = border_edges(surface)
         self.assertGreater(border.GetNumberOfCells(), 50)
         self.assertAlmostEqual(abs(points(border)[:, 2]).max(), 0.0, delta=0.01)
         rim = numpy.linalg.norm(points(border)[:, :2] - centre[:2], axis=1)
         self.assertLess(abs(rim - numpy.sqrt(RADIUS ** 2 - centre[2] ** 2)).max(), 0.2)
-        # Not capped: no points inside the rim at the first slice.
+        # The surface is not capped: there are no points inside the rim at the first slice.
         low = points(surface)[:, 2] < 0.5
         self.assertGreater(radii(surface, centre)[low].min(), RADIUS - 0.3)
         self.check_normals(surface, centre)
@@ -241,7 +244,8 @@ class SkinSurface(unittest.TestCase):
                 self.assertEqual(count, 0)
 
     def test_level_is_chosen_from_grey_values(self):
-        """12 % of the range: of a ball from 0 to 255, and of CT numbers from -1024 to 3071, both of one edge width."""
+        """The level is 12 % of the range, for a ball from 0 to 255 and for CT numbers from -1024 to 3071, both with the
+        same edge width."""
         self.assertEqual(vtkSkinSurface().GetContourValue(), 0.0)
         for least, most, level in ((0.0, 255.0, 30.6), (-1024.0, 3071.0, -532.6)):
             grey = least + (most - least) * ball() / 100.0
@@ -252,7 +256,7 @@ class SkinSurface(unittest.TestCase):
             self.assertTrue((points(filter_.GetOutput()) == points(given)).all())
 
     def test_labels_end_in_the_middle_between_voxels(self):
-        """Labels 2 and 7 in label 1: the skin is that of a mask, whichever label lies outside."""
+        """Labels 2 and 7 in label 1: the skin is that of a mask, for any outer label."""
         inside = distances(SIZE, tuple(CENTRE)) < RADIUS
         labels = numpy.where(inside, 2, 1)
         labels[inside & (numpy.arange(SIZE)[:, None, None] > SIZE // 2)] = 7
@@ -262,11 +266,11 @@ class SkinSurface(unittest.TestCase):
             numpy_to_vtk(labels.ravel(order="F").astype(numpy.uint8), deep=True))
         filter_ = skin_filter(data, ContourValue=0.0)
         filter_.Update()
-        # A mask is exact to half a voxel diagonal; the smoothing leaves less.
+        # A mask is exact to half a voxel diagonal. Smoothing reduces this error.
         found = radii(filter_.GetOutput())
         self.assertAlmostEqual(found.mean(), RADIUS, delta=0.05)
         self.assertLess(abs(found - RADIUS).max(), 0.5 * 3 ** 0.5)
-        middle = CENTRE[0] + 0.5                        # both labels reach as far
+        middle = CENTRE[0] + 0.5                        # both labels have the same extent
         left = points(filter_.GetOutput())[:, 0] < middle
         self.assertAlmostEqual(found[left].mean(), found[~left].mean(), delta=0.05)
 

@@ -18,7 +18,7 @@ COARSE = 8.0  # where forces are not checked
 
 
 def dome():
-    """A ball with a flat bottom, to stand on: what a round one stands on depends on the cells."""
+    """A ball with a flat bottom. The contact area of a round bottom would depend on the cells."""
     body = bodies.sphere(RADIUS)
     places = vtk_to_numpy(body.GetPoints().GetData())
     places[:, 2] = numpy.maximum(places[:, 2], BOTTOM)
@@ -65,7 +65,7 @@ class Solid(SolidCase):
         self.assertNotIn("filled with", self.result.stderr)
         for name, values in first.items():
             numpy.testing.assert_array_equal(values, again[name])
-        # With other held points, and with a truncated cache file, it is solved again.
+        # With other held points, or with a truncated cache file, the solid is solved again.
         self.responses("--tool", "sphere:4", "--fixed", "z-:4", spacing=COARSE)
         self.assertIn("filled with", self.result.stderr)
         self.assertEqual(len(cached()), 2)
@@ -99,7 +99,7 @@ class Solid(SolidCase):
 
 
 class SolidForces(SolidCase):
-    """Against other methods and by its shape; half a minute."""
+    """Forces compared with other methods and by symmetry; takes half a minute."""
 
     def test_the_surface_feels_its_solid(self):
         found = self.responses()
@@ -115,8 +115,8 @@ class SolidForces(SolidCase):
         away = places[:, 2] > 0.0
         self.assertTrue((found["Status"][away] == 0).all())
         self.assertTrue((found["Range"][away] == 2.0).all())
-        # The ball is a body of revolution, its cells are not: 0.3 % from the cells, the same from
-        # interpolation.
+        # The ball is a body of revolution, but its cells are not: 0.3 % error from the cells, and
+        # 0.3 % from interpolation.
         deepest = found["Force"][:, -1]
         for latitude in {round(z, 3) for z in places[away, 2] if z < 24.9}:
             ring = deepest[numpy.abs(places[:, 2] - latitude) < 2e-3]
@@ -126,11 +126,11 @@ class SolidForces(SolidCase):
         self.assertTrue((found["Stiffness"][away][:, 1:] > 0.0).all())
 
     def test_it_agrees_with_local_law_and_compliance_in_series(self):
-        """Another method on other elements: a half-space's law, curved, in series with voxels' compliance."""
+        """Another method on other elements: the law of a curved half-space in series with the compliance of voxels."""
         self.responses("--depth", "0.5")
         series = self.press(dome(), "dome.vtp", "--voxel", "2.5", "--depth", "0.5")
-        # The series model uses the compliance of a point for that of the contact: an error of some
-        # per cent.
+        # The series model uses the compliance of a point for the compliance of the contact, which
+        # gives an error of some per cent.
         self.assertLess(abs(peak_force(self.result) / peak_force(series) - 1.0), 0.06)
 
     def test_the_size_is_chosen_from_body_and_tool(self):
@@ -140,7 +140,7 @@ class SolidForces(SolidCase):
             self.assertLess(chosen, 6.0 / 3.0)
 
     def test_a_scan_of_few_points_is_felt(self):
-        """Its facets are longer than the contact, and uneven: a warning, not a failure."""
+        """The facets of the scan are longer than the contact, and irregular. This gives a warning, not a failure."""
         source = vtkSphereSource()
         source.SetRadius(RADIUS)
         source.SetThetaResolution(20)
@@ -157,7 +157,7 @@ class SolidForces(SolidCase):
         reader.SetFileName(str(saved))
         reader.Update()
         between = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("ResponseSurfaceError"))
-        self.assertGreater((between > 0.05).mean(), 0.1)  # the filter warns of it
+        self.assertGreater((between > 0.05).mean(), 0.1)  # the filter warns about this error
 
 
 if __name__ == "__main__":

@@ -38,7 +38,8 @@ class Tissue(SessionCase):
         return reader.GetOutput()
 
     def test_its_responses_are_those_of_python(self):
-        """Program and package use the same filters with the same defaults: the same bits. The ball is felt."""
+        """Program and package use the same filters with the same defaults, so the bits are the same. The ball changes
+        the force."""
         for solved in pathlib.Path(CACHE.name).glob("palpate/tissues-*.vtp"):
             solved.unlink()
         file = self.folder / "felt.vtp"
@@ -55,7 +56,8 @@ class Tissue(SessionCase):
         force = palpate.curves(body, deflection=0.5).force[:, 0]
         upper = points[:, 2] > points[:, 2].max() - 0.6            # without the rounded edges
         away = numpy.hypot(points[:, 0] - 15, points[:, 1] - 15)
-        # Balls of 3 and 5 mm radius, 4 mm deep and ten times as hard, are felt by 6 to 10 % and 11 to 23 % (nodule.md).
+        # Balls of 3 and 5 mm radius, 4 mm deep and ten times as hard, increase the force by 6 to 10
+        # % and 11 to 23 % (nodule.md).
         self.assertGreater(numpy.nanmax(force[upper & (away < 2)]),
                            1.06 * numpy.nanmedian(force[upper & (away > 8) & (away < 11)]))
         again = self.succeed(self.labels, *TISSUES, *TERMS)
@@ -70,15 +72,15 @@ class Tissue(SessionCase):
         self.check_largest(result.stdout, self.saved(self.folder / "felt.vtp"))
 
     def check_largest(self, printed, body):
-        """The largest force of the map is that of the points that are farther from all held points than two contact
-        radii of the sphere, and whose error is below 100 %."""
+        """The largest force of the map is that of the points whose error is below 100 %, and which are farther from all
+        held points than two contact radii of the sphere."""
         found = re.search(r"largest force ([\d.]+) N ± \d+ %\s+at (-?[\d.]+), (-?[\d.]+), (-?[\d.]+) mm\s+"
                           r"\(without the places within ([\d.]+) mm\s+of the held part\)", printed)
         self.assertTrue(found, printed)
         force, *place, distance = map(float, found.groups())
         radius = distance / 2
-        depth = radius / 2 * math.log((3 + radius) / (3 - radius))   # of a rigid sphere (Sneddon 1965)
-        self.assertAlmostEqual(depth, 0.5, delta=0.01)               # three digits of the distance
+        depth = radius / 2 * math.log((3 + radius) / (3 - radius))   # depth for a rigid sphere (Sneddon 1965)
+        self.assertAlmostEqual(depth, 0.5, delta=0.01)               # the distance has three digits
         points = vtk_to_numpy(body.GetPoints().GetData())
         held = points[vtk_to_numpy(body.GetPointData().GetArray("Fixed")) != 0]
         away = numpy.linalg.norm(points[:, None] - held[None], axis=2).min(axis=1) > distance
@@ -91,7 +93,7 @@ class Tissue(SessionCase):
         self.assertAlmostEqual(curves.force[nearest, 0], force, delta=1e-3 * force)
 
     def errors(self, body):
-        """Relative error at 0.5 mm of each point; NaN without a force there."""
+        """Relative error at 0.5 mm of each point; NaN at points without a force."""
         mapped = palpate.vtkForceMap()
         mapped.SetInputData(body)
         mapped.SetDepth(0.5)
@@ -122,7 +124,7 @@ class Tissue(SessionCase):
             try:
                 while piece := os.read(reading, 4096):
                     shown += piece
-            except OSError:                         # the program has closed its side
+            except OSError:                         # the program has closed its end
                 pass
             self.assertEqual(process.wait(TIME_OUT), 0, shown)
         os.close(reading)
@@ -148,7 +150,7 @@ class Tissue(SessionCase):
         self.refuse(self.folder / "nowhere.nii", *TISSUES, words=("nowhere.nii",))
 
     def test_a_label_of_empty_voxels_changes_nothing(self):
-        """The image without empty voxels around the block, which has no label 0: forces, and the same ones."""
+        """The image without the empty voxels around the block, and thus without label 0, gives the same forces."""
         alone = self.folder / "alone.nii"
         write_nifti(alone, block(SIZE, SPACING, ball=(15, 15, 4, 4)),
                     [[SPACING, 0, 0, 0], [0, SPACING, 0, 0], [0, 0, SPACING, 0]])
@@ -158,7 +160,7 @@ class Tissue(SessionCase):
             self.succeed(file, *TISSUES, *TERMS, "--save", saved)
             largest.append(vtk_to_numpy(self.saved(saved).GetPointData().GetArray("ResponseForce")).max())
         self.assertGreater(largest[0], 0.0)
-        # The box is another one, and with it the rounding of the places: not the same bits.
+        # The bounding box differs, and with it the rounding of the places, so the bits differ.
         self.assertAlmostEqual(largest[0] / largest[1], 1.0, delta=0.02)
 
 

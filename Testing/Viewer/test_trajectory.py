@@ -48,7 +48,8 @@ class Trajectory(SessionCase):
                 ticks = len(table["time_s"])
                 self.assertEqual(number(r"session\s+(\d+) ticks", result.stdout), ticks)
                 numpy.testing.assert_allclose(table["time_s"], numpy.arange(ticks) / rate, atol=1e-12)
-                # 5 mm down, 1 mm in at 5 mm/s, a slide of 0.46 rad at 40 mm/s, two rests of 0.25 s
+                # Approach 5 mm and press 1 mm at 5 mm/s, slide of 0.46 rad at 40 mm/s, two rests of
+                # 0.25 s.
                 expected = 2 * 6.0 / 5.0 + numpy.arctan(0.5) * RADIUS / 40.0 + 0.5
                 self.assertAlmostEqual(ticks / rate, expected, delta=0.01)
 
@@ -59,8 +60,8 @@ class Trajectory(SessionCase):
         touching = state > 0
         self.assertEqual(set(state), {0.0, 2.0})
         self.assertEqual(number(r"(\d+) in contact", result.stdout), touching.sum())
-        # There is contact exactly if the tip is inside. The deflection is its distance from the
-        # contact point.
+        # There is contact if and only if the tip is inside. The deflection is the distance of the
+        # tip from the contact point.
         outside = numpy.linalg.norm(tip, axis=1) > RADIUS
         self.assertFalse((touching & outside).any())
         self.assertTrue(touching[numpy.linalg.norm(tip, axis=1) < RADIUS - FACETS].all())
@@ -95,7 +96,8 @@ class Trajectory(SessionCase):
                           r"(?:; above ± 5 % in ([\d.]+) % of the contact)?$", said.stdout, re.MULTILINE)
         self.assertTrue(found, said.stdout)
         typical = float(found.group(1))
-        largest, above = float(found.group(2) or typical), float(found.group(3) or 0)   # one number if both are equal
+        # One number if all three are equal.
+        largest, above = float(found.group(2) or typical), float(found.group(3) or 0)
         # The global deflection of a ball of 25 mm adds 0.46 a/R_b to its law: 3 % at 1 mm. Strain
         # adds 2 %.
         self.assertTrue(1 < typical <= largest < 10 and 0 <= above < 100, found.groups())
@@ -122,7 +124,7 @@ class Trajectory(SessionCase):
                                        size.max(), delta=1e-3 * size.max())
                 # Coulomb's law, with the rounding error of a vector's length.
                 self.assertTrue((size <= coefficient * normal * (1 + 1e-9)).all())
-                # The resultant of the two, which are perpendicular.
+                # The resultant of normal force and friction, which are perpendicular.
                 numpy.testing.assert_allclose(table["ideal_force_N"], numpy.hypot(normal, size),
                                               rtol=1e-9, atol=1e-12)
                 # In the middle of the slide from +z towards +x: friction is at the limit, against

@@ -26,14 +26,14 @@ class Trial(SessionCase):
             text=True)
 
     def ask(self, answers, *arguments):
-        """Gives all answers at once; returns what was said."""
+        """Gives all answers immediately. Returns the output."""
         program = self.start(*arguments)
         out, err = program.communicate("".join(f"{answer}\n" for answer in answers), TIME_OUT)
         self.assertEqual(program.returncode, 0, err)
         return out
 
     def observe(self, answer, *arguments, **more):
-        """Answers each trial by what the simulated hand felt: answer(x, y) in N."""
+        """Answers each trial by answer(x, y), where x and y are the printed forces on the simulated hand, N."""
         program = self.start(*arguments, **more)
         said = ""
         for line in program.stdout:
@@ -48,7 +48,7 @@ class Trial(SessionCase):
         return said
 
     def log(self, name=None):
-        """Head as a dictionary, rows as lists of words."""
+        """The head of the log as a dictionary, and its rows as lists of words."""
         lines = (name or self.output / "trial.csv").read_text().splitlines()
         head = dict(re.match(r"# ([^:]*): (.*)", line).groups() for line in lines
                     if line.startswith("# ") and ":" in line)
@@ -64,7 +64,8 @@ class Trial(SessionCase):
         self.assertEqual({row[5] for row in rows}, {"1"})
         self.assertEqual([head[f"alternative {letter}"] for letter in "ABC"],
                          ["sphere:3", "flat:3", "cone:60"])
-        # A flat punch of 3 mm has 2 E* a d at 1 mm. Facets and pole of the sphere: a few per cent.
+        # A flat punch of 3 mm has 2 E* a d at 1 mm. The tolerance of some per cent is for the
+        # facets and the pole of the sphere.
         self.assertAlmostEqual(float(head["intensity B"]), 2 * 0.1 / (1 - 0.45 ** 2) * 3,
                                delta=0.05 * 0.75)
         self.assertEqual(len(re.findall("right in 4 of 4, 100 %", said)), 3)
@@ -103,7 +104,7 @@ class Trial(SessionCase):
             log = self.folder / f"log{number}.csv"
             self.ask("", "--trial", "sphere:3,flat:3", "--log", log)
             seeds.add(self.log(log)[0]["seed"])
-        self.assertEqual(len(seeds), 2)  # equal once in 2^32
+        self.assertEqual(len(seeds), 2)  # the seeds are equal with a probability of 2^-32
 
     def test_other_lines_are_no_answers(self):
         said = self.ask(["3", "", "x", "2", " 1", "1"], "--trial", "sphere:3,flat:3", "--rounds", 1)
@@ -136,14 +137,15 @@ class Trial(SessionCase):
         self.assertEqual(len(self.log()[1]), 1)
 
     def test_materials_and_friction_are_alternatives_too(self):
-        # Twice the modulus gives twice the force. The limit of the device scales both by one
-        # factor, so the ratio stays.
+        # Twice the modulus gives twice the force. The limit of the device scales both forces by one
+        # factor, so the ratio is unchanged.
         self.observe(lambda x, y: 1 if x > y else 2, "--tool", "sphere:3",
                      "--trial", "young=0.1,young=0.2", "--rounds", 1)
         head, rows = self.log()
         self.assertEqual({row[5] for row in rows}, {"1"})
         self.assertAlmostEqual(float(head["intensity B"]) / float(head["intensity A"]), 2.0, places=5)
-        # Friction: both are equal in the property of the question, so no answer is correct.
+        # Friction: both alternatives are equal in the property of the question, so no answer is
+        # correct.
         log = self.folder / "friction.csv"
         ratios = []
 
@@ -153,11 +155,11 @@ class Trial(SessionCase):
         self.observe(choose, "--slide-to", "0.5,0,1", "--trial", "friction=0,friction=0.5",
                      "--rounds", 1, "--log", log)
         self.assertEqual({row[5] for row in self.log(log)[1]}, {""})
-        # During sliding the total is sqrt(1 + 0.5^2) times the normal force. Its peak is at the
-        # deepest place of a facet, within a few per cent.
+        # During sliding the total force is sqrt(1 + 0.5^2) times the normal force. Its maximum is
+        # at the deepest place of a facet, within a few per cent.
         for ratio in ratios:
             self.assertAlmostEqual(ratio, 1.25 ** 0.5, delta=0.03)
-        # A layer against no layer, with a custom question.
+        # A layer is compared with no layer, with a custom question.
         log = self.folder / "layer.csv"
         self.ask("11", "--trial", "sphere:3+layer=2,sphere:3+layer=none", "--rounds", 1, "--log", log,
                  "--question", "Which one is bonier?")
@@ -165,7 +167,7 @@ class Trial(SessionCase):
         self.assertEqual(head["question"], "Which one is bonier?")
         self.assertEqual({row[5] for row in rows}, {""})
         self.assertGreater(float(head["intensity A"]), 1.5 * float(head["intensity B"]))
-        # Two equal layers against one.
+        # Two equal layers are compared with one layer.
         log = self.folder / "layers.csv"
         self.ask("11", "--trial", "sphere:3+layers=0.5:0.1:0.45,1.5:0.1:0.45,sphere:3+young=0.1+layer=2", "--rounds", 1,
                  "--log", log, "--no-curvature")
@@ -173,8 +175,8 @@ class Trial(SessionCase):
         self.assertAlmostEqual(float(head["intensity A"]) / float(head["intensity B"]), 1.0, delta=1e-3)
 
     def test_ratios_survive_a_device_too_weak(self):
-        # 400 N/mm of stiff rubber: far above the 10 N of the simulated device. If each were
-        # clipped, both would push back with 10 N.
+        # Stiff rubber has 400 N/mm, far above the 10 N of the simulated device. If each force were
+        # clipped, both alternatives would have 10 N.
         forces = []
 
         def choose(x, y):
@@ -186,7 +188,7 @@ class Trial(SessionCase):
         self.assertLess(float(head["force factor"]), 0.1)
         for weaker, stronger in forces:
             self.assertLess(stronger, 10.0)
-            self.assertAlmostEqual(stronger / weaker, wanted, delta=0.03 * wanted)  # over the path
+            self.assertAlmostEqual(stronger / weaker, wanted, delta=0.03 * wanted)  # the largest force over the path
 
     def test_what_makes_no_sense_is_named(self):
         for arguments, word in (

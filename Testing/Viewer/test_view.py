@@ -24,8 +24,8 @@ WELL, FLOOR, RIM = 30.0, -45.0, 45.0  # mm: inner radius and ends of the wall ar
 
 
 def ball_in_a_well():
-    """The usual view is 58 degrees from the normal at the top of the ball. The wall hides this place from more than
-    arctan(WELL / (RIM - RADIUS)) = 50 degrees."""
+    """The usual view is 58 degrees from the normal at the top of the ball. The wall hides this place from directions of
+    more than arctan(WELL / (RIM - RADIUS)) = 50 degrees."""
     disk = vtkDiskSource()
     disk.SetInnerRadius(WELL)
     disk.SetOuterRadius(WELL + 3.0)
@@ -53,8 +53,8 @@ def ball_in_a_well():
 
 
 def dent_pixels(path):
-    """Number of pixels left of the legends with a colour of the dent between the grey of the body and violet: red by 50
-    to 120 levels above blue, and light, unlike the arrow."""
+    """Number of pixels with a colour of the dent, left of the legends. These colours are between the grey of the body
+    and violet: red is 50 to 120 levels above blue, and the colour is light, unlike the arrow."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -68,7 +68,7 @@ def dent_pixels(path):
 class View(SessionCase):
     @unittest.skipUnless(OwnDisplay.is_there(), "needs Xvfb")
     def test_a_window_fits_the_screen(self):
-        """The window is no larger than the screen, so that all of it is seen; a signal ends the session."""
+        """The window is not larger than the screen, so that the whole window is visible. A signal ends the session."""
         display = OwnDisplay("1100x700")
         self.addCleanup(display.kill)
         picture = self.folder / "window.png"
@@ -83,11 +83,12 @@ class View(SessionCase):
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
         self.assertEqual(width, 1100)
-        self.assertTrue(600 <= height <= 700, height)   # room for a title
+        self.assertTrue(600 <= height <= 700, height)   # leaves space for a title
 
     def test_a_contact_in_a_well_is_seen(self):
         self.press(ball_in_a_well(), "well.vtp", "--site", "0,0,1", "--slide-to", "0.05,0,1", pictures=PICTURES)
-        # At least half of the dent, a circle of 4 mm in a picture of which the wall of 66 mm takes two thirds.
+        # At least half of the dent. The dent is a circle of 4 mm; the wall of 66 mm fills two
+        # thirds of the picture.
         self.assertGreater(dent_pixels(self.output / "overview.png"), 500)
 
     def test_summary_names_the_moments(self):
@@ -110,9 +111,9 @@ class View(SessionCase):
         self.assertAlmostEqual(table["ideal_force_N"].max(), peak, delta=1e-3 * peak)
 
     def test_the_cause_is_that_of_the_largest_error(self):
-        """Under a flat end of radius a the error of the ball's own deflection is 0.46 a/R = 2.9 % at every depth, and
-        that of small strain 0.2 (2 d/(pi a)), which is larger from d = 0.37 mm on. The validity (5 %) ends before, at
-        0.26 mm: there the deflection of the ball is the larger part."""
+        """Under a flat end of radius a the error by the ball's own deflection is 0.46 a/R = 2.9 % at every depth. The
+        error by small strain is 0.2 (2 d/(pi a)), which is larger from d = 0.37 mm on. The validity (5 %) ends at 0.26
+        mm, where the deflection of the ball is the larger part."""
         path = bodies.write(bodies.sphere(25.0), self.folder / "ball.vtp")
         for depth, cause in (("0.2", "curvature of the body"), ("1.2", "strain")):
             with self.subTest(depth=depth):

@@ -19,7 +19,7 @@ class Voxel(SessionCase):
         lowest, highest = map(float, re.search(
             r"gives way by (\S+) to (\S+) mm/N", solid.stderr).groups())
         self.assertLess(lowest, highest)
-        # Pressed at the top: the whole ball deflects on its small foot.
+        # The ball is pressed at the top, so the whole ball deflects on its small foot.
         self.assertLess(peak_force(solid), peak_force(half_space))
         self.assertIn("finite elements", solid.stdout)
 
@@ -39,10 +39,12 @@ class Voxel(SessionCase):
         points = {name: vtk_to_numpy(body.GetPointData().GetArray(name)) for name in
                   ("GlobalCompliance", "ResponseNormal", *(f"GlobalMode{k}" for k in range(6)))}
         signs = vtk_to_numpy(body.GetFieldData().GetArray("GlobalModeSign"))
-        # A force of 1 N moves its own point inwards by C_g, which the modes must reproduce.
+        # A force of 1 N moves its own point inward by C_g. The modes must reproduce this
+        # displacement.
         moved = sum(signs[k] * (points["ResponseNormal"] * points[f"GlobalMode{k}"]).sum(axis=1) ** 2
                     for k in range(6))
-        # Far from the foot. The compliance comes only from valid points, within six voxels.
+        # Only points far from the foot are compared. There the compliance comes only from valid
+        # points, within six voxels.
         far = vtk_to_numpy(body.GetPoints().GetData())[:, 2] > -10.0
         error = (moved - points["GlobalCompliance"])[far]
         self.assertLess(numpy.sqrt((error ** 2).mean()),

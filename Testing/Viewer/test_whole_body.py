@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A closed body yields as a whole by default, held on the side on which it stands."""
+"""By default the compliance of a closed body as a whole is included. The body is held on the side on which it
+stands."""
 import re
 import unittest
 
@@ -16,7 +17,7 @@ class WholeBody(SessionCase):
                             environment={"PALPATE_CACHE": str(self.folder / "cache")}, **more)
 
     def solutions(self):
-        """File in the cache -> time it was written."""
+        """File in the cache -> time of writing."""
         return {file: file.stat().st_mtime_ns for file in (self.folder / "cache").rglob("compliance-*")}
 
     def test_a_ball_is_softer_than_a_half_space(self):
@@ -26,8 +27,9 @@ class WholeBody(SessionCase):
         solved = self.solutions()
         self.assertEqual(len(solved), 1)
         side = re.search(HELD, whole.stderr).group(1)
-        # A cap with a height h of the diameter d has a projected area of pi h (d - h), a quarter of the square at h = 0.09 d.
-        # Whole rings of triangles count, so it takes the next step of 3 %: 12 % of 50 mm.
+        # On a ball of diameter d, a cap of height h has a projected area of pi h (d - h),
+        # which is a quarter of the square at h = 0.09 d. Only whole rings of triangles are held, so
+        # the next step of 3 % is used: 12 % of 50 mm.
         self.assertEqual(side, "z-:6")
         self.assertIn("in series with the compliance of the whole body", whole.stdout)
         self.assertLess(peak_force(whole), peak_force(local))

@@ -22,7 +22,7 @@ inline ContactNames namesOf(const SettingRow& setting)
   return names;
 }
 
-/// The name of a value for one of its names: an earlier name becomes the present one.
+/// Returns the present name of a value. `name` may be its present or an earlier name.
 inline std::string presentName(const SettingRow& setting, const std::string& name)
 {
   for (const SettingWord& word : setting.words)

@@ -15,7 +15,7 @@ namespace palpate
 struct TrialChoice
 {
   std::string name; ///< the text of the alternative
-  std::string tool; ///< empty: the first tool of the scene
+  std::string tool; ///< empty: the scene's first tool
   std::optional<double> youngsModulus;
   std::optional<double> poissonRatio;
   std::optional<LayerChoice> layer;
@@ -31,7 +31,7 @@ struct TrialChoice
  * - the words lump and none, for a body with nodules: with or without them;
  * - the entries of SettingTable that are command-line options, with the values of these options.
  *
- * A piece that begins with a digit or a sign belongs to the number before it: blunted:1,30.
+ * A part that begins with a digit or a sign belongs to the number before it: blunted:1,30.
  *
  * `usual` holds the settings that apply unless an alternative changes them. Returns "", or an error
  * that names the alternative; then `choices` is unchanged.

@@ -17,8 +17,8 @@
 
 namespace palpate
 {
-/// Values of the viewer's command line. Lengths in mm, moduli in MPa. The scene chooses the options
-/// that are not given.
+/// Values of the viewer's command line. Lengths in mm, moduli in MPa. An option that is not given
+/// gets its value from the scene.
 struct ViewerOptions
 {
   std::string body;

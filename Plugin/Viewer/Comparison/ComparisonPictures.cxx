@@ -32,7 +32,7 @@ void sayProgress(const char* what)
   std::fprintf(stderr, "palpate: %s\n", what);
 }
 
-/// The motion over one body, as recorded.
+/// The recorded motion over one body.
 struct Press
 {
   vtkSmartPointer<vtkPolyData> recording = vtkSmartPointer<vtkPolyData>::New();
@@ -61,7 +61,8 @@ std::string pressAndSlide(
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   session->GetRecorder()->GetRecording(press.recording);
-  // The simulated hand is limited to 10 N, but the comparison is about bodies, not devices.
+  // The simulated device would limit the force to 10 N, but the comparison is about bodies, not
+  // devices.
   press.recording->GetPointData()->RemoveArray("AppliedForce");
   // The path is approach, press, slide ...: see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);
@@ -89,7 +90,8 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
   return writePicture(window, file);
 }
 
-/// Regime index, sensitivity and verdict of the first tool over both bodies, one row per body.
+/// Draws regime index, sensitivity and verdict of the first tool over both bodies, one row per
+/// body.
 std::string drawRegime(const std::string& file, const std::array<ComparedBody, 2>& bodies)
 {
   MapStage stage("", false);

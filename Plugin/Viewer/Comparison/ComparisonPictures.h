@@ -11,8 +11,8 @@ namespace palpate
 /**
  * Runs --compare without a window: the same motion over both bodies, in virtual time. Writes into
  * the output folder:
- * - comparison.png: bodies under the first tool, curves of all tools, verdicts, at the end of the
- *   press;
+ * - comparison.png: the bodies under the first tool at the end of the press, with the curves of all
+ * tools and the verdicts;
  * - regime.png: λ, sensitivity and verdict over both bodies;
  * - strip.csv and block.csv: the trajectories.
  *

@@ -43,7 +43,7 @@ const char* const KeySheet =
   "? or h\tthis help\n"
   "q\tquit";
 
-/// Two bodies in a window, with a session on each. Both are steered to the same place.
+/// Two bodies in a window, with a session on each. Both tools are steered to the same place.
 class ComparisonWindow
 {
 public:
@@ -53,7 +53,7 @@ public:
   std::string run();
 
 private:
-  /// Makes the body on the side under the mouse the one that is picked.
+  /// Makes the body under the mouse the body that is picked.
   void lead(std::size_t side);
   void followPointer();
   void showFrame();

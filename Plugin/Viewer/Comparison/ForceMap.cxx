@@ -34,17 +34,16 @@ constexpr double ZoomWithLegend = 0.65;
 /// The forces at all points, and a summary of them.
 struct ForceSummary
 {
-  vtkIdType strongest = -1; ///< among the points away from the held part
+  vtkIdType strongest = -1; ///< index of the point with the largest force away from the held part
   double largest = 0.0;     ///< force there, N
   double upper = 0.0;       ///< largest force at any point, the upper end of the colours, N
   double median = 0.0;      ///< N
-  double least = 0.0;   ///< the lower end of the colours: the force that 2 % of the points do not
-                        ///< reach, N
+  double least = 0.0;   ///< the lower end of the colours: 2 % of the points have a smaller force, N
   double missing = 0.0; ///< fraction of the points without a force
 };
 
-/// Removes the forces whose error has no bound, as next to held points, so that they neither have a
-/// colour nor count.
+/// Removes forces whose error has no bound, for example next to held points. They then have no
+/// colour and are not counted.
 void removeUnbounded(vtkPolyData* mapped)
 {
   vtkDataArray* force = mapped->GetPointData()->GetArray("ForceAtDepth");
@@ -58,8 +57,8 @@ void removeUnbounded(vtkPolyData* mapped)
   }
 }
 
-/// The distance from the held part within which a force is mainly that of the support: two contact
-/// radii, mm. Such a place next to the base would often have the largest force of all.
+/// The distance from the held part within which the support determines the force: two contact
+/// radii, mm. Without this margin, a place next to the base would often have the largest force.
 double supportedDistance(const ViewerScene& scene)
 {
   vtkNew<vtkContactTool> tool;
@@ -67,8 +66,8 @@ double supportedDistance(const ViewerScene& scene)
   return 2.0 * tool->GetContactRadius(scene.depth);
 }
 
-/// Whether each point is farther than `distance` from all held points. All are if the body has no
-/// array of held points, or if none is farther.
+/// Returns whether each point is farther than `distance` from all held points. Returns true for all
+/// points if the body has no array of held points, or if no point is farther.
 std::vector<bool> awayFromHeld(vtkPolyData* mapped, double distance)
 {
   const auto count = static_cast<std::size_t>(mapped->GetNumberOfPoints());
@@ -101,8 +100,8 @@ std::vector<bool> awayFromHeld(vtkPolyData* mapped, double distance)
   return isAny ? away : std::vector<bool>(count, true);
 }
 
-/// Returns no strongest point if no point has a force. `away`: the points that may be the
-/// strongest.
+/// Summarises the forces. `away`: the points among which the strongest is sought. `strongest` is -1
+/// if no point has a force.
 ForceSummary summarise(vtkPolyData* mapped, const std::vector<bool>& away)
 {
   constexpr double LeastShare = 0.02;

@@ -25,7 +25,8 @@ namespace palpate
 namespace
 {
 constexpr int TextSize = 17;
-constexpr double Zoom = 1.25; // the camera's reset fits the sphere around the body, which is larger
+// The camera's reset fits the sphere around the body, which is larger than the body.
+constexpr double Zoom = 1.25;
 constexpr double LegendShare = 0.27;
 
 vtkSmartPointer<vtkTextActor> makeText(const std::string& words, double x, double y)

@@ -79,7 +79,8 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
   return buffer.data();
 }
 
-/// Row of the first identified site. There is one, since the filter would fail otherwise.
+/// Row of the first identified site. Such a row exists, since the filter fails if no site is
+/// identified.
 vtkIdType firstIdentified(vtkTable* sites)
 {
   vtkIdType row = 0;

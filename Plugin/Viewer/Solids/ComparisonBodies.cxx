@@ -94,7 +94,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   return cells->GetOutput();
 }
 
-/// The surface of the solid with compliance and modes, fine enough for a dent.
+/// Makes the surface of the solid, with compliance and modes. It is fine enough for a dent.
 std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
 {
   vtkNew<vtkElasticCompliance> elastic;
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
     for (const double x : { -RollerPosition, RollerPosition })
     {
       const double middle = -StripThickness - RollerRadius;
-      vtkNew<vtkCylinderSource> roller; // along y
+      vtkNew<vtkCylinderSource> roller; // the roller is along y
       roller->SetRadius(RollerRadius);
       roller->SetHeight(Width + 2.0);
       roller->SetResolution(48);
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// Sets the properties that are the same for both bodies.
+/// Sets the properties that both bodies share.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonRatio;
@@ -183,7 +183,7 @@ void describe(const ViewerOptions& options, ViewerScene& scene)
   scene.depth = options.depth.value_or(1.0);
   scene.center = { 0.0, 0.0, -1.5 };
   scene.directions = { { 0.0, 0.0, 1.5 }, { SlideLength, 0.0, 1.5 } };
-  scene.pictureAt = 0.0; // in the middle of the strip
+  scene.pictureAt = 0.0; // the pictures are taken in the middle of the strip
   scene.viewFrom = { 0.25, -0.9, 0.42 };
 }
 } // namespace

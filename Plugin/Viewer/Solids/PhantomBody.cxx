@@ -17,15 +17,15 @@ namespace palpate
 {
 namespace
 {
-// Sizes in mm. The mixed cells near the axis of a nodule determine the accuracy: 0.75 there gives
-// the same accuracy as 0.75 everywhere.
+// Sizes in mm. The cells near the axis of a nodule that contain both materials determine the
+// accuracy. A size of 0.75 there gives the same accuracy as 0.75 everywhere.
 constexpr double FinestSize = 0.75; // size of cells up to FinestHalfWidth from the axis of a nodule
 constexpr double FinestHalfWidth = 3.75; // five cells
 constexpr double FineSize = 1.0;         // size of cells at nodules
 constexpr double CoarserSize = 2.0;      // size of cells between nodules
-// Distance from the outermost nodules to the walls, more than ten contact radii.
+// Distance from the outermost nodules to the walls; more than ten contact radii.
 constexpr double Margin = 30.0;
-constexpr double Grading = 2.0;   // ratio of neighbouring cells in the margin
+constexpr double Grading = 2.0;   // ratio of the sizes of neighbouring cells in the margin
 constexpr double FineDepth = 9.0; // depth of fine cells; deeper cells have little effect
 constexpr double BlockHeight = 40.0;
 constexpr double FineMargin = 0.75; // width of fine cells beyond the sides of a nodule
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkDoubleArray> arrayOf(const std::vector<double>& line)
   return array;
 }
 
-/// An array on the points of the grid: `value` where `isMarked(x)` is true, otherwise 0.
+/// Makes an array on the points of the grid: `value` where `isMarked(x)` is true, otherwise 0.
 template <class Condition>
 vtkSmartPointer<vtkUnsignedCharArray> marked(
   vtkUnstructuredGrid* grid, const char* name, unsigned char value, const Condition& isMarked)
@@ -154,7 +154,8 @@ vtkSmartPointer<vtkUnsignedCharArray> marked(
   return marks;
 }
 
-/// Marks the points bonded to the box, and the points of the field to search.
+/// Marks the points that are bonded to the box, and the points of the surface field that is
+/// searched.
 void markPoints(vtkUnstructuredGrid* grid)
 {
   std::array<double, 6> box{};

@@ -12,7 +12,7 @@ namespace palpate
 /// Must be increased when the body or its solution changes, so that no outdated cache is used.
 constexpr int PhantomRevision = 2;
 
-/// A hard ball in the phantom, mm; the skin is the plane z = 0.
+/// A hard ball in the phantom. Lengths in mm; the skin is the plane z = 0.
 struct PhantomNodule
 {
   double x = 0.0;
@@ -30,13 +30,13 @@ constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0,
 /// Ratio of a nodule's modulus to the modulus of the block.
 constexpr double NoduleHardness = 10.0;
 
-/// The field to search, mm: x from, x to, y from, y to. The field extends beyond all nodules.
+/// The searched part of the skin, mm: x from, x to, y from, y to. It extends beyond all nodules.
 constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
- * A block of 95 x 104 x 40 mm in a rigid box, bonded to its bottom and sides (`Fixed`), with the
- * nodules in it (vtkNoduleMaterial). The array `Pressed` marks the field. Cells are 0.75 to 1 mm
- * long at the nodules to a depth of 9 mm, and longer elsewhere.
+ * Makes a block of 95 x 104 x 40 mm with nodules (vtkNoduleMaterial). Its bottom and sides are
+ * bonded to a rigid box (`Fixed`). The array `Pressed` marks the points of PhantomField. Cells are
+ * 0.75 to 1 mm long at the nodules to a depth of 9 mm, and longer elsewhere.
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
 } // namespace palpate

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of soft tissue with nine hard nodules under its skin, to be found by palpation. Finite
-// elements of the whole block, with the nodules and without, are solved once and stored in the
-// cache.
+// A block of soft tissue with nine hard nodules under its skin, to be found by palpation. The whole
+// block is solved by finite elements with and without the nodules. It is solved once, and the
+// results are cached.
 #include "ViewerScene.h"
 
 #include "BodyCache.h"
@@ -134,8 +134,8 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
     " times as stiff, of 1.5, 3 and 5 mm, which begin 1, 2 and 3 mm under the skin, in a bonded "
     "box");
   scene.depth = UsualDepth;
-  // The path leads from above the nodule of 3 mm radius whose top is 2 mm deep to above the one
-  // whose top is 1 mm deep.
+  // The path starts above the nodule of 3 mm radius whose top is 2 mm deep. It ends above the
+  // nodule of 3 mm radius whose top is 1 mm deep.
   scene.center = { 0.0, 0.0, -20.0 };
   scene.directions = { { -2.0, 0.0, 20.0 }, { -2.0, -16.0, 20.0 } };
   scene.pictureAt = 0.0;

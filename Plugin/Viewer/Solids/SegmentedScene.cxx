@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A segmentation as the body of a scene: its labels are tissues, which finite elements solve once.
+// A segmentation as the body of a scene. Its labels are tissues, which are solved once by finite
+// elements.
 #include "ViewerScene.h"
 
 #include "Mechanics/Files/NumberText.h"
@@ -89,7 +90,7 @@ std::string segmentedKey(
   return key + joined('|', std::hash<std::string_view>()(content));
 }
 
-/// Adds the arrays of a response to a body that has those of other tools.
+/// Adds the arrays of a response to a body, except the arrays that the body already has.
 void addArrays(vtkFieldData* from, vtkFieldData* to)
 {
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)

@@ -22,10 +22,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double UsualSources = 10000.0; ///< about a minute on two cores
-/// The spacing is at least this fraction of the contact radius, if the shape of the body allows it.
+/// Number of source points; solved in about a minute on two cores.
+constexpr double UsualSources = 10000.0;
+/// Smallest spacing as a fraction of the contact radius. The spacing may be smaller if the shape of
+/// the body requires it.
 constexpr double LeastOfContact = 0.5;
-/// Sources are nodes, including the nodes in the middle of each edge.
+/// Smallest distance of the source points as a fraction of the spacing. Sources are nodes,
+/// including the nodes in the middle of each edge.
 constexpr double LeastOfSpacing = 0.5;
 /// Ratio of the spacings of the second and the first mesh. The second mesh serves to estimate the
 /// error of the first, at a sixth of its cost.
@@ -78,8 +81,8 @@ std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vt
   return updateWithProgress(filled, "the body is filled with tetrahedra");
 }
 
-/// Fills the body with longer cells. Defects of the surface have already been reported for the
-/// first mesh, so warnings are not repeated.
+/// Fills the body with longer cells. Warnings are suppressed, because defects of the surface have
+/// already been reported for the first mesh.
 std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
 {
   coarser->SetInputData(first->GetInput());

@@ -11,8 +11,8 @@ namespace palpate
 /**
  * Runs --solid: fills the closed surface of the scene with graded tetrahedra (vtkGradedBody), and
  * computes the responses of its tools (vtkElasticContactResponse) at the surface's own points, with
- * its curvature. The scene then has stored responses. They are cached; the cache key is the input
- * of the computation. Adds a sentence to the notes on the chosen sizes and the cost, or on the
+ * its curvature. The responses are stored in the scene's body and cached. The cache key contains
+ * all input of the computation. Adds a sentence to the notes: the chosen sizes and the cost, or the
  * cache file used. Returns "" or an error.
  */
 std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene);

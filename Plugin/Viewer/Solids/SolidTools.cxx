@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// The range of Poisson's ratios of a scene.
+/// The range of Poisson's ratios of the tissues or the body of a scene.
 StrainBodies strainBodiesOf(const ViewerOptions& options, const ViewerScene& scene)
 {
   StrainBodies bodies{ scene.poissonRatio, scene.poissonRatio };
@@ -31,8 +31,8 @@ StrainBodies strainBodiesOf(const ViewerOptions& options, const ViewerScene& sce
   return bodies;
 }
 
-/// The law of finite strain for a tool: the given one, or Neo-Hooke if it is tabulated for the tool
-/// and the material (of tissues: for each of them).
+/// Chooses the law of finite strain for a tool: the law of the options, or Neo-Hooke if it is
+/// tabulated for the tool and the material (for a segmentation: for all tissues).
 StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)

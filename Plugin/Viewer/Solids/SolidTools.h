@@ -18,8 +18,8 @@ namespace palpate
 struct SolidTools
 {
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
-  std::vector<std::size_t> order; ///< the tool with the widest contact is first, as the others use
-                                  ///< its solutions
+  std::vector<std::size_t> order; ///< indices of the tools; the tool with the widest contact is
+                                  ///< first, because the others use its solutions
   double widest = 0.0;            ///< radius of the widest contact, mm
 };
 
@@ -27,7 +27,7 @@ struct SolidTools
 std::string makeSolidTools(
   const ViewerOptions& options, const ViewerScene& scene, SolidTools& made);
 
-/// Sets what the responses of all tools have in common.
+/// Sets the values that the responses of all tools share.
 void setSolidTerms(
   const ViewerOptions& options, const ViewerScene& scene, vtkElasticContactResponse* pressed);
 
@@ -39,7 +39,7 @@ void setSolidTool(const ViewerOptions& options, const ViewerScene& scene, const 
 std::string solidTermsKey(const ViewerOptions& options, const ViewerScene& scene);
 
 /// Makes the body of a scene by `solve`, or reads it from the cache file `kind`-HASH.vtp for the
-/// key. The scene then has stored responses. Returns "" or an error.
+/// key. The responses are then stored in the scene's body. Returns "" or an error.
 std::string solveOrRead(const std::string& kind, const std::string& key, ViewerScene& scene,
   const std::function<std::string()>& solve);
 } // namespace palpate

@@ -27,10 +27,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int BodyModes = 6; ///< modes of the body's global motion
+constexpr int BodyModes = 6; ///< number of modes of the body's global motion
 
-/// Returns an error for a solid whose finite elements certainly exceed the memory, before it is
-/// filled.
+/// Returns an error if the finite elements of the body certainly exceed the memory. Must be called
+/// before the body is filled.
 std::string checkMemory(vtkPolyData* body, double spacing)
 {
   const BodyMesh mesh = makeBodyMesh(body);
@@ -62,8 +62,8 @@ std::string checkMemory(vtkPolyData* body, double spacing)
   return text.data();
 }
 
-/// Interpolates the modes from all points of the solid: they are also valid at points without a
-/// compliance.
+/// Interpolates the modes from all points of the solid, because the modes are valid also at points
+/// without a compliance.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
   vtkDataArray* signs = solid->GetFieldData()->GetArray(GlobalModeSignArray);
@@ -115,8 +115,8 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  // A fixed side has no valid points. On that side the values that were interpolated along the
-  // surface are used.
+  // The points of a fixed side have no valid compliance. On that side the values that were
+  // interpolated along the surface are used.
   const FacingPoints others(solid,
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });

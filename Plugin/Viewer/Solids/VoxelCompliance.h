@@ -28,10 +28,10 @@ std::string attachVoxelCompliance(
   vtkPolyData* body, const VoxelComplianceOptions& options, std::vector<std::string>& notes);
 
 /// Interpolates compliance and modes at the points of `body`, each from the nearest points of
-/// `solid` that face the same way (FacingPoints). The compliance is taken from points whose
-/// `ComplianceStatus` is 0 or, if none of them faces the same way, from the other points. The modes
-/// are taken from all points. Returns "", or an error that names the first point without any
-/// source.
+/// `solid` whose normals have a similar direction (FacingPoints). The compliance is taken from
+/// points whose `ComplianceStatus` is 0 or, if none of them has such a normal, from the other
+/// points. The modes are taken from all points. Returns "", or an error that names the first point
+/// without any source.
 std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body);
 } // namespace palpate
 

@@ -25,7 +25,7 @@ namespace
 const char* const Question = "Which one pushes back more?";
 const char* const LumpQuestion = "Under which one is the lump?";
 
-/// Force at a tip at rest, without friction, N.
+/// Returns the force on a tip at rest, without friction, N.
 double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
   const std::array<double, 3>& tip)
 {
@@ -67,7 +67,8 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
   {
     return "alternative '" + choice.name + "': this body has no lumps; give --scene phantom";
   }
-  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without"; // without nodules
+  // Suffix for the name of a response without nodules.
+  const std::string behind = choice.hasLump.value_or(true) ? "" : "Without";
   if (law == own)
   {
     for (std::size_t i = 0; i < scene.tools.size(); ++i)

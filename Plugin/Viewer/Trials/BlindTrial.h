@@ -17,18 +17,18 @@ class vtkHapticSession;
 namespace palpate
 {
 /**
- * A blind comparison in progress: the alternatives that X and Y stand for at present, which of X
- * and Y the session renders, and the log. Window and console only know X and Y, not the
+ * A blind comparison in progress. It stores which alternatives X and Y stand for, and which of the
+ * two the session renders, and writes the log. Window and console only know X and Y, not the
  * alternatives.
  *
- * The alternatives share body, device and force factor, so that the ratios of their forces are
- * those of the computed forces.
+ * The alternatives share body, device and force factor, so the rendered forces have the same ratios
+ * as the computed forces.
  */
 class BlindTrial
 {
 public:
-  /// Plans the trials, and attaches the responses of the alternatives that the scene does not have.
-  /// Returns "" or an error that names the alternative.
+  /// Plans the trials, and attaches the responses that the scene lacks. Returns "" or an error that
+  /// names the alternative.
   std::string prepare(
     const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
   /// Opens the log. Must be called after the session has its device. Returns "" or an error.

@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
       points->InsertNextPoint(path->GetPoint(i));
       when->InsertNextValue(end + time->GetTuple1(i));
     }
-    // Adds the last time as stored, so that time does not decrease.
+    // Uses the stored last time, so that time never decreases.
     end += time->GetTuple1(count - 1);
   }
   auto all = vtkSmartPointer<vtkPolyData>::New();

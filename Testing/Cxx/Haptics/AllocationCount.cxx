@@ -66,8 +66,8 @@ bool countsMalloc() noexcept
 }
 } // namespace palpate::testing
 
-// The array forms of the standard library call these functions. A sanitizer has nothrow forms of
-// its own, whose memory must not go to this delete; std::stable_sort would mix them.
+// The array forms of the standard library call these functions. A sanitizer has its own nothrow
+// forms. Memory from these must not be freed by this delete, but std::stable_sort would do so.
 void* operator new(std::size_t size)
 {
   return allocate(size);

@@ -4,12 +4,12 @@
 
 namespace palpate::testing
 {
-/// Number of times that this thread has allocated or freed memory by operator new and delete and,
-/// if no sanitizer replaces them, by malloc, calloc and realloc. Linking AllocationCount.cxx
-/// replaces these functions for the whole process, including its libraries.
+/// Returns the number of times that this thread has allocated or freed memory by operator new and
+/// delete and, if no sanitizer replaces them, by malloc, calloc and realloc. Linking
+/// AllocationCount.cxx replaces these functions for the whole process, including its libraries.
 long allocationCount() noexcept;
 
-/// True if malloc itself is counted.
+/// Returns true if malloc itself is counted.
 bool countsMalloc() noexcept;
 } // namespace palpate::testing
 

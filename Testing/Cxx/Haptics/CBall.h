@@ -21,7 +21,7 @@ using BodyHandle = std::unique_ptr<palpate_body, decltype(&palpate_body_free)>;
 using ContactHandle = std::unique_ptr<palpate_contact, decltype(&palpate_contact_free)>;
 using SceneHandle = std::unique_ptr<palpate_scene, decltype(&palpate_scene_free)>;
 
-/// The same ball for C and for C++, with F = `factor` 10 δ^1.5 N.
+/// A ball for C and the same ball for C++, with F = `factor` 10 δ^1.5 N.
 struct CBall
 {
   BodyHandle c{ nullptr, &palpate_body_free };

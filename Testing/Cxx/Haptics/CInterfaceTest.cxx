@@ -54,7 +54,7 @@ BodyHandle load(const Exported& file)
   return { palpate_body_load(file.path.c_str(), nullptr, 0), &palpate_body_free };
 }
 
-/// Reason for refusing the settings; "" if they are accepted.
+/// Returns the reason for refusing the settings; "" if they are accepted.
 std::string refusal(const palpate_body* body, const palpate_settings& settings)
 {
   std::array<char, 256> reason{};
@@ -86,7 +86,7 @@ TEST(CInterface, StepsAsServoStepDoes)
     const palpate::Tick expected = servo.step(sample, t);
     palpate_tick tick;
     palpate_step(contact, sample.position.data(), t, &tick);
-    palpate_foresee(contact); // has no effect
+    palpate_foresee(contact); // must have no effect
     EXPECT_EQ(tick.state, static_cast<int>(expected.contact.state));
     EXPECT_EQ(tick.deflection, expected.contact.deflection);
     EXPECT_EQ(tick.normal_force, expected.contact.normalForce);
@@ -290,8 +290,8 @@ TEST(CInterface, TellsItsVersion)
 }
 
 // The sizes in PALPATE_API_VERSION 1, counted by hand, for pointers and doubles of eight bytes.
-// They must not change, so that a compiled program continues to work. New members take their space
-// from `reserved`.
+// The sizes must not change, so that a compiled program continues to work. New members take their
+// space from `reserved`.
 TEST(CInterface, StructsKeepTheirSizes)
 {
   static_assert(sizeof(double) == 8 && sizeof(int) == 4);

@@ -38,7 +38,7 @@ ContactHandle makeContact(const palpate_body* body, const palpate_mapping* mappi
     &palpate_contact_free };
 }
 
-/// Reason for refusing a contact; "" if it is accepted.
+/// Returns the reason for refusing a contact; "" if it is accepted.
 std::string refusal(
   const palpate_body* body, const palpate_mapping* mapping, const palpate_safety* safety)
 {
@@ -161,7 +161,7 @@ TEST(CSafeContact, StepsAsServoStepDoesThroughAllThereIs)
     blended += tick.scene_share > 0.0 && tick.scene_share < 1.0;
     clutched += tick.clutched;
   }
-  EXPECT_GE(blended, 98); // 50 ms at 2 kHz
+  EXPECT_GE(blended, 98); // the ramp takes 50 ms at 2 kHz
   EXPECT_EQ(clutched, 399);
   for (const int link : { PALPATE_GATE, PALPATE_FIT, PALPATE_STIFFNESS_CAP, PALPATE_MAGNITUDE,
          PALPATE_WATCHDOG, PALPATE_NO_SAMPLE, PALPATE_STOPPED })
@@ -207,7 +207,7 @@ TEST(CSafeContact, DefaultsAreThoseOfTheKernel)
 
 TEST(CSafeContact, EachSafetyReachesTheChain)
 {
-  // With the links switched off one by one, the contact is the plain one again.
+  // With the links switched off one by one, the contact is the plain contact again.
   const CBall ball(3.0F);
   palpate_safety safety = usualSafety();
   safety.maximum_force = 5.0;
@@ -226,11 +226,11 @@ TEST(CSafeContact, EachSafetyReachesTheChain)
     }
     return tick;
   };
-  EXPECT_EQ(deepest().tick.device_force[2], 0.0); // because of the gate
+  EXPECT_EQ(deepest().tick.device_force[2], 0.0); // the gate is closed
   safety.gate = 0;
   const palpate_full_tick capped = deepest();
   EXPECT_NE(capped.acted & PALPATE_STIFFNESS_CAP, 0U);
-  EXPECT_LE(capped.tick.device_force[2], 2.0 * capped.tick.deflection); // 2 N/mm
+  EXPECT_LE(capped.tick.device_force[2], 2.0 * capped.tick.deflection); // the cap is 2 N/mm
   safety.cap_stiffness = 0;
   safety.control_passivity = 0;
   const palpate_full_tick clamped = deepest();
@@ -305,8 +305,8 @@ TEST(CSafeContact, FitsABodyOrSaysWhyNot)
   std::array<char, 256> reason{};
   ASSERT_EQ(
     palpate_mapping_fit(&mapping, ball.c.get(), workspace, 5.0, reason.data(), reason.size()), 1);
-  // A ball of 20 mm with a margin of 5 mm is fitted into 50 mm. The tolerances are for the float32
-  // mesh and its highest corner.
+  // A ball of 20 mm with a margin of 5 mm is fitted into 50 mm. The tolerances allow for the
+  // float32 mesh and its highest corner.
   EXPECT_NEAR(mapping.scale, 0.5, 1e-4);
   EXPECT_NEAR(
     std::hypot(mapping.translation[0], mapping.translation[1], mapping.translation[2]), 0.0, 1e-5);

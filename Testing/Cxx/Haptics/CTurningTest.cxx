@@ -15,7 +15,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// The ball, with the check of the C interface for its settings.
+/// The ball, with a check of the settings by the C interface.
 struct Ball : CBall
 {
   Ball()
@@ -28,7 +28,7 @@ struct Ball : CBall
     return { palpate_contact_new_safe(this->c.get(), nullptr, &safety, nullptr, 0, nullptr, 0),
       &palpate_contact_free };
   }
-  /// Reason for refusing a contact; "" if it is accepted.
+  /// Returns the reason for refusing a contact; "" if it is accepted.
   std::string refusal(const palpate_safety& safety) const
   {
     std::array<char, 256> reason{};
@@ -45,7 +45,7 @@ TEST(CTurning, TorqueIsOfferedAndLimitedAsTheKernelDoes)
 {
   palpate_device device;
   palpate_device_default(&device);
-  EXPECT_EQ(device.maximum_torque, 0.0); // no torque, as before torque was supported
+  EXPECT_EQ(device.maximum_torque, 0.0); // by default there is no torque
   device.maximum_torque = 0.25;
   palpate_safety safety;
   palpate_safety_of(&device, &safety);
@@ -64,7 +64,7 @@ TEST(CTurning, TorqueIsOfferedAndLimitedAsTheKernelDoes)
   EXPECT_EQ(ball.refusal(safety), "maximum_torque_rate must be positive (N m/s), but is -2");
   safety.maximum_torque_rate = 0.0; // no limit
 
-  // Mapping and chain treat a turned tool as in the kernel's step.
+  // The mapping and the chain treat a turned tool in the same way as the kernel's step.
   palpate::SafetySettings settings = palpate::SafetySettings::of(palpate::DeviceSpecification());
   settings.maximumTorque = 0.25;
   settings.maximumTorsionalStiffness = 2.0;

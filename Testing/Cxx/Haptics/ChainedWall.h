@@ -11,7 +11,7 @@ namespace palpate::testing
 {
 constexpr double Period = 1e-3; // s
 
-/// A wall of 1000 N/m below z = 0, pressed along z, and the chain with its time.
+/// A wall of 1000 N/m below z = 0 that is pressed along z, with the safety chain and the time.
 struct ChainedWall
 {
   explicit ChainedWall(const SafetySettings& settings)
@@ -33,7 +33,7 @@ struct ChainedWall
     return input;
   }
   SafeForce feel(double depth) { return this->Chain.apply(this->at(depth)); }
-  /// Presses from outside to a depth of 4 mm, 4 N.
+  /// Presses from outside to a depth of 4 mm, where the force is 4 N.
   SafeForce press()
   {
     SafeForce last;

@@ -47,14 +47,15 @@ TEST(Clutch, TheTipStaysWhileHeldAndGoesOnFromThere)
     const std::uint32_t buttons = held ? (i < 200 ? Button : 8) : 1;
     const Vector3d tip = clutch.follow(handAt(i), buttons, Period);
     EXPECT_EQ(clutch.isHeld(), held);
-    if (wasHeld) // also in the tick of the release: no jump, independent of the motion of the hand
+    // Also in the tick of the release: the tip does not jump, for any motion of the hand.
+    if (wasHeld)
     {
       EXPECT_EQ(tip, last);
       offset = tip - handAt(i);
     }
     else // also in the tick of the press: the tip moves with the hand
     {
-      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding error of 40 mm
+      EXPECT_LE((tip - handAt(i) - offset).norm(), 1e-13); // rounding error for positions of 40 mm
     }
     last = tip;
   }
@@ -67,7 +68,8 @@ TEST(Clutch, ForceFadesAndComesBackStraightInTime)
 {
   Clutch clutch(Button);
   clutch.follow(handAt(0), 0, Period);
-  // 1 ms of 50 ms is a fiftieth per tick, never more. Sums of fiftieths are exact up to rounding.
+  // 1 ms of 50 ms is a fiftieth per tick, and never more. Sums of fiftieths are exact up to
+  // rounding.
   for (int i = 1; i <= 60; ++i)
   {
     clutch.follow(handAt(i), Button, Period);
@@ -98,7 +100,7 @@ TEST(ForceRamp, ALateTickMakesItLongerNotSteeper)
 {
   ForceRamp ramp(0.0);
   EXPECT_EQ(ramp.advance(1.0, 0.0), 0.0); // no time has passed
-  EXPECT_EQ(ramp.advance(1.0, 3.0), 0.1); // a delay of 3 s
+  EXPECT_EQ(ramp.advance(1.0, 3.0), 0.1); // after a delay of 3 s
   EXPECT_NEAR(ramp.advance(1.0, 0.0025), 0.15, 1e-15);
   EXPECT_NEAR(ramp.advance(0.0, 0.001), 0.13, 1e-15);
   for (int i = 0; i < 9; ++i)

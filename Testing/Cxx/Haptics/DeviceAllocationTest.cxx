@@ -34,7 +34,7 @@ struct Met
   int pressing = 0;
 };
 
-/// A virtual wall below 0. Some times are NaN, repeat or jump.
+/// Presses a virtual wall below 0. Some times are NaN, or repeat or jump.
 Met expectNoAllocation(HapticDevice& device)
 {
   Met met;
@@ -72,7 +72,8 @@ std::vector<SimulatedDevice::WayPoint> toAndFro()
   return path;
 }
 
-/// Friction, limits, encoders, delays: all events of the plant.
+/// Makes a device with friction, limits, encoders and delays, so that all events of the plant
+/// occur.
 std::unique_ptr<SimulatedDevice> everything(bool isSteered = false)
 {
   palpate::SimulatedPlant plant;
@@ -103,7 +104,7 @@ TEST(DeviceAllocation, SteeredPlant)
   expectNoAllocation(*device);
 }
 
-/// A hand that goes around a body: its searches, ways, slides and contacts.
+/// A hand that moves around a body, with searches, paths, slides and contacts.
 TEST(DeviceAllocation, GuidedHand)
 {
   const std::shared_ptr<const palpate::ContactBody> body = uniformBody(icosphere(20.0, 2));
@@ -130,7 +131,7 @@ TEST(DeviceAllocation, GuidedHand)
     }
     EXPECT_EQ(allocationCount(), before);
   }
-  EXPECT_GT(way, 1.0); // m: a dozen times halfway around
+  EXPECT_GT(way, 1.0); // m; a dozen times halfway around the body
 }
 
 TEST(DeviceAllocation, Faulty)
@@ -148,12 +149,12 @@ TEST(DeviceAllocation, Faulty)
 
 TEST(DeviceAllocation, RecordingAndReplay)
 {
-  palpate::RecordingDevice recorder(everything(), Ticks / 2); // some readings find no room
+  palpate::RecordingDevice recorder(everything(), Ticks / 2); // some readings do not fit
   expectNoAllocation(recorder);
   EXPECT_GT(recorder.overruns(), 1000U);
   std::vector<palpate::RecordedSample> samples;
   recorder.drain(samples);
-  // Samples whose time is NaN do not go to a file.
+  // Samples whose time is NaN are not written to a file.
   std::vector<palpate::RecordedSample> timed;
   for (const palpate::RecordedSample& sample : samples)
   {

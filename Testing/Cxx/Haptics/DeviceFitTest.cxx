@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One factor for all tools keeps the ratios of the paper's three tools. A cap alone changes them.
+// One factor for all tools preserves the force ratios of the paper's three tools. A cap alone
+// changes them.
 #include "Haptics/Devices/DeviceFit.h"
 
 #include "Contact/CappedResponse.h"
@@ -24,7 +25,7 @@ namespace
 constexpr double Rubber = 3.45; // E*, MPa
 constexpr double Depth = 1.0;   // mm
 
-/// A tool of the paper, pressed into rubber down to 2 mm, as stored in a body.
+/// A tool of the paper on rubber, with the curve that a body stores, up to 2 mm.
 struct PaperTool
 {
   explicit PaperTool(const std::string& text)
@@ -92,20 +93,20 @@ TEST(DeviceFit, ThePapersToolsKeepTheirRatios)
     const BlendedResponse response = tools[i].response();
     ideal[i] = response.evaluate(Depth).force;
     capped[i] = CappedResponse(response, stiffest).evaluate(Depth).force;
-    // As in the chain: the cap applies after the factor, so it is larger by its inverse.
+    // As in the chain, the cap applies after the factor, so it is larger by the inverse of the
+    // factor.
     const CappedResponse after(response, stiffest / fit.factor());
     fitted[i] = fit.factor() * after.evaluate(Depth).force;
     EXPECT_LE(fit.factor() * after.evaluate(Depth).stiffness, stiffest * (1.0 + 1e-12));
   }
-  // Tolerance for the digits of the reference, plus 0.0005 for the stored samples (4e-4 of the
-  // force).
+  // Tolerance: the digits of the reference, plus 0.0005 for the stored samples (4e-4 of the force).
   const std::array<double, 3> ofReference{ 11.4, 11.0, 5.45 };
   const std::array<double, 3> cappedOfReference{ 1.99, 2.00, 1.96 };
   for (std::size_t i = 0; i < 3; ++i)
   {
     EXPECT_NEAR(ideal[i], ofReference[i], 0.05);
     EXPECT_NEAR(capped[i], cappedOfReference[i], 0.0055);
-    // The cap has no effect on forces that the factor has fitted.
+    // The cap has no effect on forces that the factor has reduced to the limit.
     EXPECT_NEAR(fitted[i], fit.factor() * ideal[i], 1e-9);
   }
   EXPECT_NEAR(spread(capped), 0.02, 0.005);
@@ -118,12 +119,12 @@ TEST(DeviceFit, ForceOrStiffnessWhicheverIsShorter)
   DeviceFit fit(device(3.0, 2000.0));
   EXPECT_EQ(fit.factor(), 1.0); // no responses to fit
   fit.include(2.0, 1.0);
-  EXPECT_EQ(fit.factor(), 1.0); // all are within its limits
+  EXPECT_EQ(fit.factor(), 1.0); // all responses are within the device's limits
   fit.include(12.0, 4.0);
   EXPECT_EQ(fit.factor(), 0.25);
   fit.include(1.0, 20.0);
   EXPECT_EQ(fit.factor(), 0.1);
-  // With twice the scale, the hand perceives twice the stiffness of the body, but the same force.
+  // With a scale of 2, the hand perceives twice the stiffness of the body, but the same force.
   DeviceFit large(device(3.0, 2000.0), 2.0);
   large.include(12.0, 20.0);
   EXPECT_EQ(large.factor(), 0.05);
@@ -145,7 +146,7 @@ TEST(DeviceFit, TheReasonNamesTheLimitThatIsShorter)
   DeviceFit soft(device);
   soft.include(20.0, 7.912);
   EXPECT_EQ(soft.reason(), "the device is too soft: 1.5 N/mm of 7.91 N/mm");
-  // A hand that feels no force has no limits.
+  // A simulated hand that renders no force has no limits.
   device.maximumForce = std::numeric_limits<double>::infinity();
   device.maximumStiffness = std::numeric_limits<double>::infinity();
   DeviceFit none(device);
@@ -159,7 +160,7 @@ TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
   constexpr std::size_t points = 30000; // several ranges of forRanges
   ResponseStore store(points);
   store.randomizeCurves(3);
-  store.status[7] = 2; // not a valid response
+  store.status[7] = 2; // point 7 has no valid response
   store.force[8 * 7] = 1e6F;
   const ResponseField field(store.arrays());
   DeviceFit fit(device(1.0, 1000.0));
@@ -181,7 +182,7 @@ TEST(DeviceFit, PeaksOfABodyAreThoseOfItsWorstPoint)
       stiffness = std::max(stiffness, value.stiffness);
     }
   }
-  // The same places, up to rounding.
+  // The maxima are at the same places, up to rounding.
   EXPECT_NEAR(fit.peakForce(), force, 1e-12 * force);
   EXPECT_NEAR(fit.peakStiffness(), stiffness, 1e-12 * stiffness);
 }

@@ -27,10 +27,10 @@ TEST(EntryGate, RampOfTheFirstTouch)
 {
   EntryGate gate(true, 0.5);
   EXPECT_EQ(gate.share(0.0, false), 0.0);
-  EXPECT_EQ(gate.share(1.0, true), 1.0); // fraction of a zero force
+  EXPECT_EQ(gate.share(1.0, true), 1.0); // the share applies to a force of zero
   EXPECT_EQ(gate.share(2.0, false), 0.0);
   EXPECT_EQ(gate.share(2.125, false), 0.25);
-  EXPECT_EQ(gate.share(2.25, true), 0.5); // continues outside
+  EXPECT_EQ(gate.share(2.25, true), 0.5); // the ramp continues outside
   EXPECT_EQ(gate.share(2.375, false), 0.75);
   EXPECT_EQ(gate.share(2.5, false), 1.0);
   EXPECT_EQ(gate.share(3.0, true), 1.0);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Only the servo thread increments the counts.
+/// Increments a count. Only the servo thread calls this function.
 void count(std::atomic<std::uint64_t>& number) noexcept
 {
   number.store(number.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
@@ -78,7 +78,7 @@ DeviceErrors FaultyDevice::errors() const noexcept
   return errors;
 }
 
-/// Finds the faults that occur at the reading of this time.
+/// Determines the faults that occur at the reading of this time.
 void FaultyDevice::strike(double time) noexcept
 {
   for (std::size_t kind = 0; kind < DeviceFaultCount; ++kind)
@@ -105,7 +105,7 @@ void FaultyDevice::strike(double time) noexcept
   }
 }
 
-/// Returns the sample that replaces the reading. The gravest fault takes precedence.
+/// Returns the sample that replaces the reading. The most severe fault takes precedence.
 DeviceSample FaultyDevice::tell(const DeviceSample& reading, double time) noexcept
 {
   const bool isGone = this->isStruck(DeviceFault::Disconnect);

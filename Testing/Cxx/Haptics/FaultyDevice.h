@@ -16,17 +16,18 @@
 namespace palpate
 {
 /**
- * Another device with faults (DeviceFaults), to test the reaction of a loop.
+ * A device that adds faults (DeviceFaults) to another device, to test the reaction of a loop.
  *
- * Deterministic: the events depend on the faults, the seed and the times of the readings. It has
- * its own random generator (splitmix64; Steele, Lea and Flood 2014). Each reading draws one number
- * per kind of fault, so that the rate of one fault does not influence the others. The inner device
- * is read in every tick, so its motion continues. It gets zero force in the tick of a disconnection
+ * Deterministic: the events depend only on the faults, the seed and the times of the readings. It
+ * has its own random generator (splitmix64; Steele, Lea and Flood 2014). Each reading draws one
+ * number per kind of fault, so that the rate of one fault does not influence the others. The inner
+ * device is read in every tick, so its motion continues. The inner device gets zero force in the
+ * tick of a disconnection, and this force is held until the next write.
  * and keeps this force until the next write.
- *
  * errors() adds to the errors of the inner device: dropped samples as lost, refused forces as
- * unsent, and disconnections. Repeated or late samples are not noticed, as for a device that does
+ * unsent, and disconnections. Repeated or late samples are not counted, as for a device that does
  * not number its reports. With wrong settings no device is connected, and status() gives the
+ * reason.
  * reason.
  *
  * A tick costs O(scheduled faults). read and write are for the servo thread, status and errors for

@@ -26,15 +26,15 @@ using palpate::SimulatedPlant;
 
 namespace
 {
-/// A device with x = t at time t.
+/// Makes a device with x = t at time t.
 std::unique_ptr<SimulatedDevice> moving()
 {
   return std::make_unique<SimulatedDevice>(
     std::vector<SimulatedDevice::WayPoint>{ { 0.0, { 0, 0, 0 } }, { 1024.0, { 1024.0, 0, 0 } } });
 }
 
-/// The samples at 0, 1, ..., one letter each: the time of the measurement; '-' if it is not fresh,
-/// 'x' if it is invalid, 'n' if it is not a number.
+/// Returns the samples at 0, 1, ..., one letter each: the time of the measurement; '-' if the
+/// sample is not fresh, 'x' if it is invalid, 'n' if it is not a number.
 std::string told(FaultyDevice& device, int ticks)
 {
   std::string text;
@@ -68,7 +68,8 @@ TEST(FaultyDevice, EachFaultOnSchedule)
 {
   EXPECT_EQ(told(DeviceFaults()), "0123456789");
   EXPECT_EQ(told(once(DeviceFault::Dropped, 3.0)), "012-456789");
-  EXPECT_EQ(told(once(DeviceFault::Dropped, 2.5, 2.0)), "012--56789"); // drops 3 and 4
+  // Samples 3 and 4 are dropped.
+  EXPECT_EQ(told(once(DeviceFault::Dropped, 2.5, 2.0)), "012--56789");
   EXPECT_EQ(told(once(DeviceFault::Repeated, 3.0)), "0122456789");
   EXPECT_EQ(told(once(DeviceFault::Repeated, 3.0, 2.0)), "0122256789");
   EXPECT_EQ(told(once(DeviceFault::Late, 3.0, 2.0)), "012--36789"); // the sample of 3 arrives at 5
@@ -77,7 +78,7 @@ TEST(FaultyDevice, EachFaultOnSchedule)
   EXPECT_EQ(told(once(DeviceFault::Stall, 3.0, 4.0)), "012----789");
   EXPECT_EQ(told(once(DeviceFault::Disconnect, 3.0, 4.0)), "012xxxx789");
   EXPECT_EQ(told(once(DeviceFault::Disconnect, 3.0, 1e300)), "012xxxxxxx");
-  EXPECT_EQ(told(once(DeviceFault::Dropped, 3.3, 0.2)), "0123-56789"); // the next reading
+  EXPECT_EQ(told(once(DeviceFault::Dropped, 3.3, 0.2)), "0123-56789"); // affects the next reading
 }
 
 TEST(FaultyDevice, TheGravestHappens)
@@ -93,7 +94,7 @@ TEST(FaultyDevice, TheGravestHappens)
     "xx" // still stalled, without a last sample
     "x"  // dropped, without a last sample
     "9");
-  EXPECT_EQ(device.errors().lost, 3U); // 1, 2 and 8
+  EXPECT_EQ(device.errors().lost, 3U); // samples 1, 2 and 8
   EXPECT_EQ(device.errors().disconnections, 1U);
 }
 
@@ -111,7 +112,7 @@ TEST(FaultyDevice, ForcesWhileStalledAndGone)
     device.read(tick);
     if (tick == 6)
     {
-      EXPECT_EQ(felt.lastForce(), Vector3d::Zero()); // in the same tick
+      EXPECT_EQ(felt.lastForce(), Vector3d::Zero()); // zero in the same tick
       EXPECT_EQ(device.status(), "disconnected, by a fault that was asked for");
     }
     taken += device.write({ 1.0 + tick, 0.0, 0.0 }) ? 'y' : 'n';
@@ -134,7 +135,7 @@ TEST(FaultyDevice, APlantMovesOnMeanwhile)
     once(DeviceFault::Disconnect, 1.0, 1.0));
   device.read(0.0);
   device.write({ 1.0, 0.0, 0.0 });
-  EXPECT_FALSE(device.read(1.0).valid);          // after 1 s with 1 N on 0.5 kg: 1 m, 2 m/s
+  EXPECT_FALSE(device.read(1.0).valid);          // 1 N on 0.5 kg for 1 s: 1 m, 2 m/s
   EXPECT_EQ(device.read(2.0).position.x(), 3.0); // 2 m/s without force for a second
 }
 
@@ -149,8 +150,8 @@ TEST(FaultyDevice, RandomFaultsAreThoseOfTheirSeed)
   EXPECT_EQ(told(faults, 1000), first);
   faults.seed = 43;
   EXPECT_NE(told(faults, 1000), first);
-  // splitmix64 with seed 0, as published: the first number is 0xE220A8397B1DCDAF, a fraction of
-  // 0.8833 of 2^64. The first draw is for NotANumber.
+  // The first number of splitmix64 with seed 0 has been published: 0xE220A8397B1DCDAF, which is
+  // 0.8833 of 2^64. The first number is used for NotANumber.
   for (const double probability : { 0.8832, 0.8834 })
   {
     DeviceFaults sure;
@@ -176,9 +177,9 @@ TEST(FaultyDevice, RandomFaultsComeAsOftenAsAskedFor)
       const DeviceSample sample = device.read(time);
       struck += !sample.valid || !sample.fresh || sample.position.x() != time;
     }
-    // A late sample affects its own reading and the next. The expectation is 2000 of a binomial
-    // distribution; the tolerance is 5 standard deviations of 44. Late samples overlap in up to 1
-    // of 50 cases.
+    // A late sample affects its own reading and the next. The expectation of the binomial
+    // distribution is 2000; the tolerance is 5 standard deviations of 44. Up to 1 of 50 late
+    // samples overlap.
     const int expected = kind == DeviceFault::Late ? 4000 : 2000;
     EXPECT_NEAR(struck, expected, 5 * 45 + (kind == DeviceFault::Late ? 200 : 0))
       << static_cast<int>(kind);

@@ -18,7 +18,7 @@ TEST(ForceLimit, KeepsTheDirection)
   const ForceLimit limit(2.5);
   EXPECT_EQ(limit.limit(Vector3d(0.7, -0.2, 1.9)), Vector3d(0.7, -0.2, 1.9));
   EXPECT_EQ(limit.limit(Vector3d(0.0, 2.5, 0.0)), Vector3d(0.0, 2.5, 0.0));
-  const Vector3d large(3.0, -4.0, 12.0); // 13 N
+  const Vector3d large(3.0, -4.0, 12.0); // magnitude 13 N
   EXPECT_LE((limit.limit(large) - 2.5 / 13.0 * large).norm(), 1e-15);
   EXPECT_EQ(limit.limit(Vector3d::Zero()), Vector3d::Zero());
   // A value whose sum of squares overflows.
@@ -50,7 +50,7 @@ TEST(ForceRateLimit, RisesAndFallsAlongTheStraightLine)
   }
   EXPECT_EQ(slew.limit(0.0501, target), target);
   slew.sent(0.050, target);
-  EXPECT_EQ(slew.limit(0.050, -target), target); // the same time once more
+  EXPECT_EQ(slew.limit(0.050, -target), target); // the time of the previous call
   EXPECT_LE((slew.limit(0.060, -target) - 0.8 * target).norm(), 1e-12);
   EXPECT_EQ(slew.limit(0.15001, -target), -target);
 }

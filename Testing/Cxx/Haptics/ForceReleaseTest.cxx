@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that dies of an exception releases the force on the hand, if this was requested: for a
-// device that throws in a tick, and for an exception in another thread. The test reads the error
+// A process that is ended by an exception releases the force on the hand, if this was requested.
+// The exception is thrown by a device in a tick, or in another thread. The test reads the error
 // stream.
 #include "Haptics/Safety/ForceRelease.h"
 #include "SampleResponses.h"
@@ -28,7 +28,7 @@ void say(std::string_view text)
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-/// Writes a message when it is given zero force. May throw in its tenth reading.
+/// Writes a message when it receives zero force. May throw in its tenth reading.
 class SpeakingDevice final : public StandingDevice
 {
 public:
@@ -64,7 +64,7 @@ private:
   bool Throws;
 };
 
-/// Presses on a body until the process dies.
+/// Presses on a body until an exception ends the process.
 [[noreturn]] void pressAndDie(bool releases, bool inTheTick)
 {
   if (releases)
@@ -90,7 +90,7 @@ protected:
 
 TEST_F(ForceReleaseDeathTest, ADeviceThatThrowsIsGivenZeroForce)
 {
-  // Then the process dies as usual, with the message of the exception.
+  // Then the process ends as usual, with the message of the exception.
   EXPECT_DEATH(pressAndDie(true, true), "<let go>(.|\n)*<a device's>");
 }
 

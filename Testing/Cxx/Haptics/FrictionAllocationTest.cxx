@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction does not use the heap: stuck, sliding, turning, deeper, out of range, flipped, NaN.
+// Friction does not use the heap: sticking, sliding, turning, deeper, out of range, reversed, NaN.
 #include "AllocationCount.h"
 #include "Contact/Friction.h"
 

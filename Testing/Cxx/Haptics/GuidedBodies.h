@@ -17,8 +17,8 @@ struct GuidedShape
 {
   std::string name;
   Surface surface;
-  /// Positive outside the exact shape, negative inside, mm. Its size is at most that of the
-  /// distance.
+  /// Function that is positive outside the exact shape and negative inside, mm. Its magnitude is at
+  /// most the distance from the shape.
   std::function<double(const Vector3&)> outside;
   /// Largest distance between triangles and exact shape, mm.
   double facets;
@@ -33,7 +33,7 @@ inline Surface scaled(Surface surface, const Vector3& by)
   return surface;
 }
 
-/// Distance to the box from -half to half.
+/// Signed distance from the box with corners -half and half.
 inline double boxDistance(const Vector3& point, const Vector3& half)
 {
   const Vector3 over = point.cwiseAbs() - half;
@@ -51,7 +51,7 @@ inline GuidedShape boxShape(const std::string& name, const Vector3& half)
     [half](const Vector3& point) { return boxDistance(point, half); }, 1e-5 };
 }
 
-/// A hollow half of a sphere about the origin, open towards +z, with a flat rim.
+/// A hollow hemisphere with its centre at the origin, open towards +z, with a flat rim.
 inline Surface bowl(double outer, double inner, int rings, int around)
 {
   std::vector<Eigen::Vector2d> profile; // radius and height, from the outer pole to the inner pole
@@ -98,8 +98,8 @@ inline std::vector<GuidedShape> guidedShapes()
 {
   std::vector<GuidedShape> shapes;
   const Vector3 axes(30.0, 20.0, 12.0);
-  // The value of the quadric, times the smallest axis over two, is below the distance's size. An
-  // edge of the ball has 0.14 of its radius: the sagitta is 0.14²/8 of the largest axis.
+  // The value of the quadric, times half the smallest axis, is smaller than the distance. An edge
+  // of the ball is 0.14 of its radius long, so the sagitta is 0.14²/8 of the largest axis.
   shapes.push_back({ "ellipsoid", scaled(icosphere(1.0, 3), axes),
     [axes](const Vector3& point) {
       return 0.5 * axes.minCoeff() * (1.0 - 1.0 / std::max(point.cwiseQuotient(axes).norm(), 0.1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hand that a pointer steers: it goes around the body, and presses no deeper than set. Every tick
-// is checked by the contact that the servo loop computes, and by the shape in closed form.
+// A hand that a pointer steers. It moves around the body, and never presses deeper than set. Every
+// tick is checked by the contact that the servo loop computes, and by the shape in closed form.
 #include "Haptics/Guidance/FreeSpace.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
 #include "GuidedBodies.h"
@@ -34,9 +34,11 @@ struct GuidedSteering
 {
   static constexpr double Period = 1e-3;     // s
   static constexpr double HoverHeight = 3.0; // mm
-  static constexpr double FastestStep = 1.0; // mm in a tick: GuidedHand::FastestSpeed
-  static constexpr double Rounding = 1e-9;   // mm, of positions in m and back
-  static constexpr int LongestLift = 60; // ticks from 2 mm below to 3 mm above: two time constants
+  static constexpr double FastestStep = 1.0; // mm in a tick; from GuidedHand::FastestSpeed
+  // mm; rounding of positions that are converted to m and back
+  static constexpr double Rounding = 1e-9;
+  // Ticks from 2 mm below to 3 mm above the surface: two time constants.
+  static constexpr int LongestLift = 60;
 
   explicit GuidedSteering(const GuidedShape& shape)
     : Shape(shape)
@@ -77,7 +79,7 @@ struct GuidedSteering
     this->Device.touch(place.point, place.normal, height);
   }
 
-  /// One tick, with all that is promised.
+  /// Runs one tick and checks all promises.
   void tick()
   {
     const double time = Period * this->Ticks++;
@@ -96,8 +98,8 @@ struct GuidedSteering
     ASSERT_NE(contact.state, ContactState::Invalid);
     if (depth > 0.0)
     {
-      // Deeper than set only while it rises from a greater depth. The tolerance is the rounding of
-      // the tip.
+      // The hand may be deeper than set only while it rises from a greater depth. The tolerance is
+      // the rounding of the tip.
       constexpr double rising = 1e-9;
       ASSERT_TRUE(depth <= this->Set + Rounding || depth <= this->Depth + rising)
         << this->words() << depth << " mm deep, before " << this->Depth << " at "
@@ -135,7 +137,7 @@ struct GuidedSteering
   SurfacePlace At{ Vector3::Zero(), Vector3::UnitZ() };
   double Height = HoverHeight;
   double Set = 0.0;   ///< the depth set, mm
-  double Depth = 0.0; ///< of the last tick
+  double Depth = 0.0; ///< depth in the last tick, mm
   Vector3 Tip = Vector3::Zero();
   int Ticks = 0;
   int Since = 0;   ///< ticks since the last goal
@@ -147,8 +149,8 @@ class GuidedHandOver : public ::testing::TestWithParam<std::size_t>
 };
 } // namespace
 
-/// Two thousand jumps on each of five bodies, some of them in the middle of the last one's way,
-/// with drags, wheel and button.
+/// Two thousand jumps on each of five bodies, with drags, wheel and button. Some jumps begin before
+/// the previous motion has ended.
 TEST_P(GuidedHandOver, JumpsAroundTheBody)
 {
   const GuidedShape shape = guidedShapes()[GetParam()];
@@ -175,7 +177,7 @@ TEST_P(GuidedHandOver, JumpsAroundTheBody)
     }
     if (jump % 50 == 0 && !HasFatalFailure())
     {
-      // 1 s is longer than any way at 1000 mm/s plus 23 time constants to 1e-10 of it.
+      // 1 s is longer than any path at 1000 mm/s plus 23 time constants, after which 1e-10 remains.
       hand.ticks(1500);
       const double rest =
         hand.Height > 0.0 ? (hand.Tip - hand.At.point).dot(hand.At.normal) : hand.Height;
@@ -190,8 +192,8 @@ TEST_P(GuidedHandOver, JumpsAroundTheBody)
   std::printf("%s: %d ticks, %d pressed\n", shape.name.c_str(), hand.Ticks, hand.Pressed);
 }
 
-/// A place off the surface, also outside the sphere around the body, stands for the closest one on
-/// it.
+/// A place off the surface, also outside the sphere around the body, is replaced by the closest
+/// place on the surface.
 TEST(GuidedHand, APlaceOffTheSurfaceIsPutOnIt)
 {
   const GuidedShape shape = guidedShapes().front();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Passivity control of two hands whose contacts deflect the surface for one another. In a passive
-// scene it does not reduce their forces, even if one hand leaves under the other. In an active
-// scene both together get no more energy than they put in.
+// Passivity control of two hands whose contacts lower the surface for each other. In a passive
+// scene it does not reduce their forces, even if one hand leaves while the other presses. In an
+// active scene both hands together get no more energy than they put in.
 #include "Haptics/Servo/ServoStep.h"
 
 #include "CoupledPlate.h"
@@ -26,8 +26,8 @@ namespace
 constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm
 constexpr double Period = 1e-3;
 
-/// Two hands on flat ends 5 mm apart, at these depths (mm). Their forces are those of the springs
-/// times `scale`.
+/// Two hands on flat ends 5 mm apart, at given depths (mm). Their forces are the forces of the
+/// springs times `scale`.
 struct TwoHands
 {
   TwoHands(const SafetySettings& safety, double scale)
@@ -60,8 +60,9 @@ struct TwoHands
 };
 } // namespace
 
-// The second hand presses where the first has lowered the surface, and leaves after the first has
-// left. It gets more energy than it put in; the first got less by the same amount.
+// The second hand presses where the first hand has lowered the surface, and leaves after the first
+// hand. The second hand gets more energy than it put in; the first hand got less by the same
+// amount.
 TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
 {
   SafetySettings safety = SafetySettings::of({});
@@ -94,13 +95,13 @@ TEST(HandsEnergy, WhatOneLeavesTheOtherGets)
       go(-0.2, 0.8);
       go(-0.2, -0.2);
     }
-    EXPECT_NEAR(largest, 0.8 * Spring, 1e-5); // floats
+    EXPECT_NEAR(largest, 0.8 * Spring, 1e-5); // rounding of floats
   }
 }
 
-// Springs of 4000 N/m on devices whose damping b allows 1500 N/m. Hands that move at random,
-// independently, together get at most b |dx|²/T per tick more than they put in, for any transfer
-// between them.
+// Springs of 4000 N/m on devices whose damping b allows 1500 N/m. The hands move at random and
+// independently. Together they get at most b |dx|²/T per tick more than they put in, for any
+// transfer of energy between them.
 TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
 {
   SafetySettings safety = SafetySettings::of({});
@@ -133,12 +134,12 @@ TEST(HandsEnergy, TogetherTheyGetNoMoreThanTheyPutIn)
     }
     least = std::min(least, balance);
   }
-  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // the Slack of each hand, and rounding
+  EXPECT_GE(least, -2.0 * PassivityControl::Slack * 2.0); // the Slack of both hands, and rounding
   EXPECT_GT(acted, 1000);
 }
 
-// The same, with gaps of 1 to 15 readings that end no contact. The hands move smoothly: an
-// unobserved hand is assumed to accelerate by at most 20 m/s², and these do so by 0.5 m/s².
+// As above, with gaps of 1 to 15 readings that end no contact. The hands move smoothly. An
+// unobserved hand is assumed to accelerate by at most 20 m/s²; these hands accelerate by 0.5 m/s².
 TEST(HandsEnergy, GapsGiveThemNoMore)
 {
   SafetySettings safety = SafetySettings::of({});

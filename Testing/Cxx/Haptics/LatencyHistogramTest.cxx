@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantiles compared with those of the sorted durations. Counts that another thread reads never
+// Quantiles are compared with those of the sorted durations. Counts that another thread reads never
 // decrease.
 #include "Haptics/Servo/LatencyHistogram.h"
 
@@ -18,8 +18,8 @@ using palpate::LatencyHistogram;
 
 namespace
 {
-/// The definition of a quantile: the smallest value that the fraction `share` of all values does
-/// not exceed.
+/// Returns a quantile by its definition: the smallest value for which at least the fraction `share`
+/// of all values is not larger.
 std::int64_t exactQuantile(const std::vector<std::int64_t>& sorted, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));
@@ -64,7 +64,7 @@ TEST(LatencyCounts, ClassesCoverEveryDurationOnceAndNarrowly)
     EXPECT_LE(longest - shortest, shortest / 32) << i;
     shortest = longest + 1;
   }
-  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // nearly 69 s
+  EXPECT_EQ(shortest, std::int64_t{ 1 } << 36); // ns; nearly 69 s
   EXPECT_EQ(LatencyCounts::classOf(shortest), LatencyCounts::Classes - 1);
   EXPECT_EQ(
     LatencyCounts::classOf(std::numeric_limits<std::int64_t>::max()), LatencyCounts::Classes - 1);
@@ -123,8 +123,8 @@ TEST(LatencyHistogram, OfTwoReadingsTheLaterHoldsTheEarlier)
     const LatencyCounts counts = histogram->read();
     ASSERT_GE(counts.total(), total);
     ASSERT_GE(counts.worst(), worst);
-    // The counts are consistent: none is above the worst value, and the class of the worst value is
-    // not empty.
+    // The counts are consistent: no quantile is above the worst value, and the class of the worst
+    // value is not empty.
     ASSERT_EQ(counts.quantile(1.0), counts.worst());
     ASSERT_LE(counts.quantile(0.5), counts.quantile(0.99));
     total = counts.total();

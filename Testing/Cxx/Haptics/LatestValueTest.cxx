@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader gets the newest value, never a torn one, and no thread waits. The thread sanitizer
-// runs this test, too.
+// The reader gets the newest value, never a partly written value, and no thread waits. This test
+// also runs with the thread sanitizer.
 #include "Haptics/Servo/LatestValue.h"
 
 #include <gtest/gtest.h>

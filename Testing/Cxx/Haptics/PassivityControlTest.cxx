@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No motion gets more energy from the sent forces than it put in and the device's own damping
-// dissipates, for any scene. A passive scene is not changed.
+// For any scene, no motion gets more energy from the sent forces than the hand put in plus the
+// energy that the device's own damping dissipates. A passive scene is not changed.
 #include "Haptics/Safety/PassivityControl.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -26,7 +26,7 @@ constexpr double Stiffest = 2000.0; // N/m
 constexpr double Period = 1e-3;     // s
 
 /// Runs a control and computes the energies independently: the work of the sent forces, and the
-/// least energy that the damping of the device dissipates.
+/// minimum of the energy that the damping of the device dissipates.
 struct Audit
 {
   PassivityControl control{ Stiffest, Period };
@@ -110,8 +110,8 @@ TEST(PassivityControl, CountsTheExactWorkOfEachHold)
     const Vector3d place = 1e-3 * Vector3d(gauss(random), gauss(random), gauss(random));
     control.observe(Period * i, place);
     energy += i > 0 ? 0.5 * Stiffest * (place - last).squaredNorm() - sent.dot(place - last) : 0.0;
-    // Rounding error of a thousand sums of about 1e-2 J, and of the length of the hold (1e-13 of
-    // it).
+    // Rounding error of a thousand sums of about 1e-2 J, and of the duration of the hold (relative
+    // 1e-13).
     ASSERT_NEAR(control.energy(), energy, 1e-12);
     sent = Vector3d(gauss(random), gauss(random), gauss(random));
     control.sent(Period * i, sent);
@@ -127,15 +127,15 @@ TEST(PassivityControl, TicksWithoutANewReadingCountByTheirMean)
   control.sent(0.001, Vector3d(2.0, 0.0, 0.0));
   control.sent(0.003, Vector3d(5.0, 0.0, 0.0));
   control.observe(0.004, Vector3d(1e-3, 7.0, 0.0) - Vector3d(0.0, 7.0, 0.0));
-  // 1 N for 1 ms, 2 N for 2 ms, 5 N for 1 ms: 2.5 N over 1 mm. A hold of 4 T has a quarter of the
-  // credit.
+  // 1 N for 1 ms, 2 N for 2 ms and 5 N for 1 ms have a mean of 2.5 N, over 1 mm. A hold of 4 T has
+  // a quarter of the credit.
   EXPECT_NEAR(control.energy(), 0.25 * 0.5 * Stiffest * 1e-6 - 2.5e-3, 1e-15);
 }
 
 TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 {
-  // Some forces are independent of the motion. The others are the most active possible: they know
-  // the next motion of the hand and push along it.
+  // Some forces are independent of the motion. The others are the most active possible: they act
+  // along the hand's next motion.
   for (unsigned seed = 0; seed < 40; ++seed)
   {
     Audit audit;
@@ -154,11 +154,12 @@ TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
       const Vector3d sent = audit.tick(i, place, wanted);
       asked += wanted.dot(next - place);
       place = next;
-      // The full promise, for every hold so far: the energy given is at most the energy put in, the
-      // energy dissipated, and the Slack that is not reclaimed; 1e-12 for rounding.
+      // The full promise, for every hold so far: the energy given to the hand is at most the energy
+      // put in, plus the dissipated energy, plus the Slack that is not reclaimed. 1e-12 is for
+      // rounding.
       ASSERT_LE(audit.given, audit.damping + PassivityControl::Slack + 1e-12) << seed << ' ' << i;
-      // The control only reduces the force: the direction does not change, the magnitude does not
-      // grow.
+      // The control only reduces the force. The direction does not change, and the magnitude does
+      // not increase.
       ASSERT_LE(sent.norm(), wanted.norm() * (1.0 + 1e-15));
       ASSERT_NEAR(sent.dot(wanted), sent.norm() * wanted.norm(), 1e-14 * wanted.squaredNorm());
     }
@@ -173,8 +174,8 @@ TEST(PassivityControl, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 TEST(PassivityControl, TheWorstThrow)
 {
   // The hand is pressed 1 mm into a spring. Then an active scene requests more force, and the hand
-  // is thrown along the force over various distances. They include the worst, F/K_max times one
-  // over the fraction of the damping.
+  // is moved along the force over various distances. They include the worst distance, F/K_max
+  // divided by the fraction of the damping.
   for (const double asked : { 2.0, 2.05, 2.5, 6.0 })
   {
     for (double way = 0.2; way < 3.0; way += 0.05)
@@ -201,8 +202,8 @@ TEST(PassivityControl, TheWorstThrow)
 TEST(PassivityControl, DoesNothingOnAPassiveScene)
 {
   // Potentials U with second derivatives up to K_max, and F = -∇U: a tool in a half-space of the
-  // largest stiffness, softer ones, the law of a sphere, a ball, a corner of two planes, a bounded
-  // force, a valley that is entered from its edge (everywhere inside).
+  // largest stiffness, softer half-spaces, the law of a sphere, a ball, a corner of two planes, a
+  // bounded force, a valley that is entered from its edge (everywhere inside).
   const auto along = [](double force, const Vector3d& direction) -> Vector3d
   { return force * direction; };
   struct Scene
@@ -212,7 +213,7 @@ TEST(PassivityControl, DoesNothingOnAPassiveScene)
   };
   const auto below = [](const Vector3d& p) { return std::max(0.0, -p.z()); };
   const auto inBall = [](const Vector3d& p) { return std::max(0.0, 0.006 - p.norm()); };
-  const double most = 0.02; // m, deeper than the motions
+  const double most = 0.02; // m; deeper than the motions
   const Scene scenes[] = {
     { [&](const Vector3d& p) { return along(Stiffest * below(p), Vector3d::UnitZ()); }, below },
     { [&](const Vector3d& p) { return along(150.0 * below(p), Vector3d::UnitZ()); }, below },
@@ -278,8 +279,8 @@ TEST(PassivityControl, TheHoldLeaksWhatTheDampingTakes)
 
 TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
 {
-  // Five times too stiff: with half of the damping, half of the allowed stiffness is left. Slightly
-  // too stiff: most of it is left.
+  // For a scene that is five times too stiff, half of the damping and half of the allowed stiffness
+  // are left. For a scene that is slightly too stiff, most of the stiffness is left.
   for (const double share : { 5.0, 1.1 })
   {
     Audit audit;
@@ -299,7 +300,7 @@ TEST(PassivityControl, AnOverStiffSpringIsFeltAsOneThatIsNot)
 TEST(PassivityControl, WhatFrictionTookIsNotLent)
 {
   // A force of up to 5 N opposes the hand over 5 mm, like friction: 12.5 mJ. Then the scene pushes
-  // with 5 N at a depth of 2 mm: it may return 5 N over 2 mm.
+  // with 5 N at a depth of 2 mm. It may return 5 N over 2 mm.
   for (const bool knowsDepth : { true, false })
   {
     Audit audit;
@@ -328,7 +329,7 @@ TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
   control.grant(4.0, Infinity);
   EXPECT_NEAR(control.energy(), 0.5 * 16.0 / Stiffest, 1e-15);
   EXPECT_EQ(control.limit(force), force);
-  control.grant(4.0, 3e-3); // with a known depth, more
+  control.grant(4.0, 3e-3); // more, because the depth is known
   EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
   control.grant(4.0, 1e-3); // a smaller energy changes nothing
   EXPECT_NEAR(control.energy(), 12e-3, 1e-15);
@@ -340,8 +341,8 @@ TEST(PassivityControl, GrantsWhatIsChangedOnPurpose)
 
 TEST(PassivityControl, ALateHoldIsPaidFor)
 {
-  // The hand is pressed 1 mm into the stiffest spring, then thrown out by 3 mm within one hold of
-  // ten periods.
+  // The hand is pressed 1 mm into the stiffest spring, then moved outward by 3 mm within one hold
+  // of ten periods.
   PassivityControl control(Stiffest, Period);
   int i = 0;
   for (; i <= 20; ++i)
@@ -355,7 +356,7 @@ TEST(PassivityControl, ALateHoldIsPaidFor)
   const double before = control.energy();
   const double late = Period * (i + 9);
   control.observe(late, Vector3d(0.0, 0.0, 2e-3));
-  // The lag of this hold: 2 N over 3 mm, less a tenth of the credit for 3 mm.
+  // The loss in this hold: 2 N over 3 mm, less a tenth of the credit for 3 mm.
   const double after = before - 2.0 * 3e-3 + 0.1 * 0.5 * Stiffest * 9e-6;
   EXPECT_NEAR(control.energy(), after, 1e-12);
   EXPECT_LT(after, 0.0);
@@ -363,7 +364,7 @@ TEST(PassivityControl, ALateHoldIsPaidFor)
   control.sent(late, Vector3d::Zero());
   control.bound(0.0, 0.0); // outside: a debt remains
   EXPECT_NEAR(control.energy(), after, 1e-12);
-  // Motion of 2 mm at 1 mm per tick pays 1 mJ each.
+  // Motion of 2 mm at 1 mm per tick repays 1 mJ per tick.
   control.observe(late + Period, Vector3d(0.0, 0.0, 3e-3));
   EXPECT_NEAR(control.energy(), after + 1e-3, 1e-12);
 }
@@ -388,7 +389,7 @@ TEST(PassivityControl, LimitsThatAreNone)
     control.observe(Period, Vector3d(1e-3, 0.0, 0.0));
     EXPECT_EQ(control.limit(force), Vector3d::Zero()) << none;
   }
-  // After a jump beyond the range of numbers, the energy is a number, and the force is zero.
+  // After a jump whose square overflows, the energy is still a number, and the force is zero.
   PassivityControl jumped(Stiffest, Period);
   jumped.observe(0.0, Vector3d::Zero());
   jumped.sent(0.0, force);
@@ -400,7 +401,7 @@ TEST(PassivityControl, LimitsThatAreNone)
   EXPECT_TRUE(jumped.isNew());
 }
 
-// By trial: no larger force keeps the sum of squares within the bound.
+// Determined by trial: no larger force keeps the sum of squares within the bound.
 TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
 {
   std::mt19937 random(11);
@@ -409,7 +410,7 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
   {
     ForcesUnderWay forces(n * Period, Period);
     EXPECT_EQ(forces.late(), static_cast<std::size_t>(n));
-    std::vector<double> sent; // newest first
+    std::vector<double> sent; // sent forces, newest first
     for (int i = 0; i < 200; ++i)
     {
       const double size = upTo(random);
@@ -448,8 +449,8 @@ TEST(PassivityControl, ForcesUnderWayLeaveRoomForOneMore)
   EXPECT_EQ(ForcesUnderWay(1e-3 + 1e-15, Period).late(), 1U); // rounding adds no tick
 }
 
-// Forces that act up to n ticks late, at random. The hand gains no more energy than the device's
-// damping dissipates, as long as it moves as a real hand can.
+// Forces act up to n ticks late, at random. The hand gains no more energy than the device's damping
+// dissipates, as long as its motion is possible for a real hand.
 TEST(PassivityControl, AStatedDelayGivesNoEnergy)
 {
   double withoutBound = 0.0;
@@ -472,7 +473,7 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
         {
           if (i > 0)
           {
-            // Back and forth around the surface, within 20 m/s².
+            // Back and forth through the surface, with at most 20 m/s².
             Vector3d push(gauss(random), gauss(random), gauss(random));
             push = 5e-3 * push - 2.0 * place - 0.01 * velocity;
             velocity += push / std::max(1.0, push.norm() / 0.02);
@@ -490,7 +491,7 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
           sent.push_back(control.limit(wanted));
           forces += sent.back().norm();
           control.sent(Period * i, sent.back());
-          given = depth == 0.0 ? std::min(given, 0.0) : given; // no debt remains at a new contact
+          given = depth == 0.0 ? std::min(given, 0.0) : given; // a new contact has no debt
         }
         EXPECT_GT(forces / 20000.0, 0.05) << late << " " << seed;
         if (isTold)
@@ -504,10 +505,10 @@ TEST(PassivityControl, AStatedDelayGivesNoEnergy)
       }
     }
   }
-  EXPECT_GT(withoutBound, 1e-6); // J: without the stated delay the test fails
+  EXPECT_GT(withoutBound, 1e-6); // J; without the stated delay the promise is not kept
 }
 
-// If the force is held for the stated time, it gives the hand at most the energy put in, for any
+// If the force is held for the returned time, it gives the hand at most the energy put in, for any
 // motion that a hand can make. Here the hand moves along the force as fast as possible.
 TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
 {
@@ -517,7 +518,8 @@ TEST(PassivityControl, AForceIsToldForAsLongAsItIsPaidFor)
   for (int i = 0; i < 500; ++i)
   {
     PassivityControl control(Stiffest, Period);
-    const double speed = 0.3 * (2.0 * share(random) - 1.0); // first into the body, then on or out
+    // First into the body, then further in or out.
+    const double speed = 0.3 * (2.0 * share(random) - 1.0);
     double depth = 0.0;
     double time = 0.0;
     double force = 0.0;

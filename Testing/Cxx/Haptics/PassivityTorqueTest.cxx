@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force and torque in one energy account: the promise for any motion and any scene. Without torque,
-// the results do not change.
+// Force and torque have a common energy account. The promise holds for any motion and any scene.
+// Without torque the results do not change.
 #include "Haptics/Safety/PassivityControl.h"
 
 #include <gtest/gtest.h>
@@ -43,9 +43,8 @@ private:
 
 TEST(PassivityTorque, NoSceneAndNoMotionGetsMoreOutThanWentIn)
 {
-  // Some forces and torques know the next motion of the hand and push along it, which is the most
-  // active case. Others are independent of the motion. Turns are about one axis, for which the work
-  // is exactly M · φ.
+  // Some forces and torques act along the hand's next motion, which is the most active case. Others
+  // are independent of the motion. Turns are about one axis, so that the work is exactly M · φ.
   int cut = 0;
   for (unsigned seed = 0; seed < 24; ++seed)
   {
@@ -76,11 +75,12 @@ TEST(PassivityTorque, NoSceneAndNoMotionGetsMoreOutThanWentIn)
       damping += 0.5 * Stiffest * way.squaredNorm() + 0.5 * Torsion * turn * turn;
       place += way;
       angle += turn;
-      // 1e-10 for the rounding of an angle that has changed by some rad, 1e-15 of it in each tick.
+      // 1e-10 is for the rounding of an angle that has changed by some rad, relative 1e-15 in each
+      // tick.
       ASSERT_LE(given, damping + PassivityControl::Slack + 1e-10) << seed << ' ' << i;
     }
   }
-  EXPECT_GT(cut, 10000); // of 72000 ticks: the control was needed
+  EXPECT_GT(cut, 10000); // of 72000 ticks; the control was needed
 }
 
 TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
@@ -104,7 +104,7 @@ TEST(PassivityTorque, CountsTheWorkOfBothInEachHold)
 
 TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
 {
-  // A scene with a grant of 6.25 mJ, F²/2K for 5 N, turns the hand on without end.
+  // A scene with a grant of 6.25 mJ, F²/2K for 5 N, turns the hand continuously.
   PassivityControl control(Stiffest, Period, 0.0, Torsion);
   control.observe(0.0, Vector3d::Zero(), ToolOrientation::Identity());
   control.grant(5.0, 0.0);
@@ -120,15 +120,15 @@ TEST(PassivityTorque, WhatWasPressedInIsTurnedOutOnce)
     control.observe(Period * (i + 1), Vector3d::Zero(), turnedBy(angle));
   }
   const double damping = 1000 * 0.5 * Torsion * Turn * Turn;
-  EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // rounding
+  EXPECT_LE(given, whole + damping + PassivityControl::Slack + 1e-12); // 1e-12 for rounding
   EXPECT_GT(given, 0.9 * whole);                                       // nearly all of it
 }
 
 TEST(PassivityTorque, DoesNothingToASpringOfForceAndTorque)
 {
-  // U = ½ K_max z² + ½ K_θ θ² is the stiffest allowed. Here half of each, and a coupling that makes
-  // up the rest, U = ½ (½K z² + 2 · ½√(K K_θ) z θ + ½K_θ θ²): its largest stiffness is K in scaled
-  // coordinates.
+  // U = ½ K_max z² + ½ K_θ θ² is the stiffest allowed potential. Here U = ½ (½K z² + 2 · ½√(K K_θ)
+  // z θ + ½K_θ θ²): half of each term, plus a coupling. Its largest stiffness in scaled coordinates
+  // is also K.
   PassivityControl control(Stiffest, Period, 0.0, Torsion);
   const double both = 0.5 * std::sqrt(Stiffest * Torsion);
   Anything any(1);
@@ -165,7 +165,7 @@ TEST(PassivityTorque, WithoutTorqueAllIsAsBefore)
       place += any.vector(1e-4);
       const Vector3d wanted = any.vector(2.0);
       plain.observe(t, place);
-      turning.observe(t, place); // without an orientation: no turn is counted
+      turning.observe(t, place); // without an orientation, so no turn is counted
       plain.bound(wanted.norm(), 1e-3);
       turning.bound(wanted.norm(), 1e-3);
       const Vector3d sent = plain.limit(wanted);

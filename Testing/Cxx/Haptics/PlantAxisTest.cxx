@@ -73,8 +73,8 @@ TEST(PlantAxis, HandSpringAndDamper)
       const double cosine = isCritical ? 1.0 : square > 0.0 ? std::cos(w * t) : std::cosh(w * t);
       const double sine = isCritical ? t : (square > 0.0 ? std::sin(w * t) : std::sinh(w * t)) / w;
       const double expected = std::exp(-a * t) * (0.01 * cosine + (-0.3 + a * 0.01) * sine);
-      // The terms are of order 0.01 and cancel. At critical damping, the closed form would show the
-      // square root of the rounding error; the axis takes no root.
+      // The terms are of order 0.01 and cancel. At critical damping, the closed form would have an
+      // error of the square root of the rounding error. The axis does not compute a root.
       EXPECT_NEAR(end.position, expected, 1e-2 * 10.0 * Rounding) << damping << " " << t;
     }
   }
@@ -128,13 +128,13 @@ TEST(PlantAxis, FrictionTurnsWithTheMotion)
 TEST(PlantAxis, AMovingHandOvercomesFriction)
 {
   PlantAxis axis(plant(0.1, 0.0, 0.4), { 200.0, 0.0 });
-  // The spring reaches f_c when the target has moved f_c/k = 2 mm, at 0.1 m/s after 20 ms. From
-  // then on m x'' = k v_t t - k x: x = v_t (t - sin(ωt)/ω).
+  // The spring reaches f_c when the target has moved by f_c/k = 2 mm, after 20 ms at 0.1 m/s. Then
+  // m x'' = k v_t t - k x, with the solution x = v_t (t - sin(ωt)/ω).
   EXPECT_EQ(axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, 0.1 }, 0.0199).position, 0.0);
   const double omega = std::sqrt(200.0 / 0.1);
   const auto end = axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, 0.1 }, 0.02 + 0.03);
   EXPECT_TRUE(agrees(end.position, 0.1 * (0.03 - std::sin(omega * 0.03) / omega), 1e-9));
-  // The same in the other direction.
+  // The other direction is symmetric.
   EXPECT_EQ(axis.advance({ 0.0, 0.0 }, { 0.0, 0.0, -0.1 }, 0.05).position, -end.position);
 }
 
@@ -147,11 +147,12 @@ TEST(PlantAxis, AHandIsNotStrongerThanItsLimit)
   EXPECT_TRUE(agrees(axis.advance({ 0.0, 0.0 }, { 0.0, 1.0 }, 0.2).position, 0.1, 1e-12));
   EXPECT_EQ(axis.handForce({ 0.0, 0.0 }, { 0.0, 1.0 }), 0.5);
   EXPECT_EQ(axis.handForce({ 0.0, 0.0 }, { 0.0, -1.0 }), -0.5);
-  // Released 2 mm away: 0.5 N over 1.5 mm, then a spring of 0.5 mm. Energy gives the speed there.
+  // Released 2 mm away: 0.5 N over 1.5 mm, then a spring over 0.5 mm. The energy gives the speed at
+  // the transition.
   const double reached = std::sqrt(2.0 * 0.0015 / 5.0);
   const double speed = 5.0 * reached;
   const double omega = std::sqrt(1000.0 / 0.1);
-  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // to the centre
+  const double quarter = std::atan2(0.0005 * omega, speed) / omega; // time to the centre
   const auto middle = axis.advance({ 0.0, 0.0 }, { 0.0, 0.002 }, reached + quarter);
   EXPECT_NEAR(middle.position, 0.002, 1e-12);
   EXPECT_TRUE(agrees(middle.velocity, std::hypot(speed, 0.0005 * omega), 1e-9));
@@ -196,8 +197,8 @@ TEST(PlantAxis, EverythingAtOnceAgainstSmallSteps)
     }
     limited += std::abs(axis.handForce(exact, load)) == 1.2;
     resting += exact.velocity == 0.0;
-    // The small steps are of first order: the difference decreases with them. It is at most 1.2e-5
-    // m/s and 1.5e-7 m for steps of half a microsecond.
+    // The small steps are of first order, so the difference decreases with them. It is at most
+    // 1.2e-5 m/s and 1.5e-7 m for steps of half a microsecond.
     EXPECT_NEAR(exact.velocity, small.velocity, 3e-5) << tick;
     EXPECT_NEAR(exact.position, small.position, 4e-7) << tick;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report of the permitted scheduling equals the state of the system, both for granted and for
-// refused requests. Capabilities belong to a thread, so a test can drop its own.
+// The report of the permitted scheduling agrees with the state of the system, for granted and for
+// refused requests. Capabilities belong to a thread, so a test can drop its own capabilities.
 #include "Haptics/Servo/RealTimeGrant.h"
 
 #include "ProcessMemory.h"
@@ -66,7 +66,7 @@ void giveUpCapabilities()
   ASSERT_EQ(syscall(SYS_capset, &header, none.data()), 0);
 }
 
-/// Changes a limit of the process; restored at the end.
+/// Changes a limit of the process during its lifetime.
 class Limit
 {
 public:

@@ -16,7 +16,7 @@
 
 namespace palpate
 {
-/// Reading and force of a device in one tick, in its own frame and SI units.
+/// Reading and force of a device in one tick, in the device's frame and SI units.
 struct RecordedSample
 {
   double time = 0.0;
@@ -29,15 +29,15 @@ struct RecordedSample
  * Records another device: every reading with its time and the force written after it, in a
  * preallocated ring (SampleRing). Readings and forces are passed on unchanged.
  *
- * A recording belongs to the device: its frame, no contact, no mapping. trajectoryOf converts it
- * for a file. A ReplayDevice then reads the same bits from the file.
+ * A recording contains only data of the device: its frame, no contact, no mapping. trajectoryOf
+ * converts a recording for a file. A ReplayDevice then reads the same bits from the file.
  *
  * read and write are for the servo thread; drain may run in one other thread at the same time. If
- * it is drained often enough, the recording has no limit. Otherwise the newest readings are lost
- * and counted (overruns). A reading is stored when its force is written or the next reading is
- * made, so the last one before the end of a loop is stored only if its force was written. Further
- * forces for the same reading, such as the zero that a loop sends when it stops, are passed on but
- * not stored.
+ * it is called often enough, the length of the recording is unlimited. Otherwise the newest
+ * readings are lost and counted (overruns). A reading is stored when its force is written or when
+ * the next reading is made. The last reading before the end of a loop is therefore stored only if
+ * its force was written. Further forces for the same reading, such as the zero force that a loop
+ * sends when it stops, are passed on but not stored.
  */
 class PALPATE_EXPORT RecordingDevice final : public HapticDevice
 {
@@ -57,7 +57,7 @@ public:
 
   /// Appends the records since the last call.
   void drain(std::vector<RecordedSample>& samples);
-  /// Number of readings that found no room.
+  /// Number of readings that did not fit.
   std::uint64_t overruns() const noexcept { return this->Ring.overruns(); }
   HapticDevice& device() noexcept { return *this->Device; }
 

@@ -47,7 +47,7 @@ bool same(const Vector3d& a, const Vector3d& b)
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 
-/// Presses on a plate of 10 mm and moves around, with a compliant hand.
+/// Makes a compliant hand that presses on a plate of 10 mm and moves around.
 std::unique_ptr<HapticDevice> handOnPlate(const WorkspaceMapping& mapping = WorkspaceMapping())
 {
   palpate::SimulatedPlant plant;
@@ -83,7 +83,7 @@ Trajectory reread(const Trajectory& trajectory)
   return read;
 }
 
-/// A mapping that turns, moves and magnifies.
+/// A mapping with rotation, translation and magnification.
 WorkspaceMapping oblique()
 {
   const Eigen::Matrix3d turn =
@@ -118,7 +118,8 @@ TEST(ReplayDevice, LinearBetweenRowsAtRestAtTheEnds)
   EXPECT_EQ(device.read(1.5).position, Vector3d(0, 0.008, 0.004));
   EXPECT_EQ(device.read(2.0).position, Vector3d(0, 0.016, 0));
   EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0));
-  EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0)); // only the time matters
+  // Only the time determines the position.
+  EXPECT_EQ(device.read(3.0).position, Vector3d(0, 0.008, 0));
   for (const double time : { 4.0, 5.0, 1e9 })
   {
     EXPECT_EQ(device.read(time).position, Vector3d(0, 0, 0));
@@ -169,14 +170,14 @@ TEST(ReplayDevice, VelocityButtonsAndFreshnessOfARecording)
   EXPECT_FALSE(device.read(2.0).fresh);
   EXPECT_EQ(device.read(2.0).buttons, 1U);
   EXPECT_TRUE(device.read(3.0).fresh);
-  EXPECT_EQ(device.read(3.0).buttons, 1U); // pressed from its row on
+  EXPECT_EQ(device.read(3.0).buttons, 1U); // pressed from the time of its row
   EXPECT_EQ(device.read(9.0).buttons, 2U);
 }
 
 TEST(ReplayDevice, ASessionsFileGivesTheSameTicks)
 {
   const auto plate = uniformBody(openPlate(10.0, 20));
-  // Without rotation the tips have the same bits again, scaled and moved or not.
+  // Without rotation the tips have the same bits, with and without scale and translation.
   for (const WorkspaceMapping& mapping :
     { WorkspaceMapping(), WorkspaceMapping(Eigen::Matrix3d::Identity(), { 1.3, -0.7, 0.3 }, 0.77) })
   {
@@ -248,7 +249,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
   const Trajectory read = reread(palpate::trajectoryOf(samples, mapping));
   EXPECT_TRUE(read.hasDevice);
   EXPECT_FALSE(read.hasContact);
-  // The mapping differs from that of the recording: positions are those of the device.
+  // The mapping differs from that of the recording, because positions are those of the device.
   ReplayDevice replay(read, WorkspaceMapping());
   int invalid = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -266,7 +267,7 @@ TEST(RecordingDevice, ARecordingPlaysTheSameBits)
     }
     ASSERT_TRUE(same(read.rows[i].sentForce, samples[i].force)) << i;
   }
-  EXPECT_EQ(invalid, 101); // disconnected for 0.1 s, and one sample that was not a number
+  EXPECT_EQ(invalid, 101); // disconnected for 0.1 s, and one sample that is not a number
 
   // With the same mapping, the loop computes the same forces.
   const std::vector<Tick> again = run(replay, *plate, mapping);
@@ -306,7 +307,7 @@ TEST(RecordingDevice, ReadingsWithoutForcesAndForcesWithoutReadings)
   recorder.read(0.0);
   recorder.read(1.0);
   recorder.write(Vector3d(0, 0, 2));
-  recorder.write(Vector3d(0, 0, 3)); // like the zero at the end of a loop
+  recorder.write(Vector3d(0, 0, 3)); // like the zero force at the end of a loop
   recorder.read(2.0);
   std::vector<RecordedSample> samples;
   recorder.drain(samples);

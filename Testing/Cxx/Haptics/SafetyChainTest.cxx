@@ -46,8 +46,8 @@ TEST(SafetyChain, GateIsClosedUntilOnceOutside)
 
 TEST(SafetyChain, FixedOrder)
 {
-  // Fit comes before cap: the factor applies to the capped force. Then the slew limit, starting
-  // from the sent force; then the magnitude.
+  // The factor multiplies the capped force. Then follow the slew limit, which starts from the sent
+  // force, and the limit of the magnitude.
   SafetySettings settings = whole();
   settings.controlPassivity = false;
   settings.forceFactor = 0.5;
@@ -78,16 +78,16 @@ TEST(SafetyChain, FixedOrder)
   safe = step(40.0, 20.0);
   EXPECT_NEAR(safe.force.z(), 2.5, 1e-15);
   EXPECT_EQ(safe.acted, slewed + flag(SafetyLink::Magnitude));
-  safe = step(0.0, 0.0); // from 2.5 N, not from the value before the limit of the magnitude
+  safe = step(0.0, 0.0); // starts from 2.5 N, not from the value before the limit of the magnitude
   EXPECT_NEAR(safe.force.z(), 1.5, 1e-10);
   EXPECT_EQ(safe.acted, flag(SafetyLink::Fit) + flag(SafetyLink::Slew));
 }
 
 TEST(SafetyChain, PassivityIsLastAndSeesWhatIsSent)
 {
-  // A wall of the largest allowed stiffness, 6 mm deep, with at most 2 N. The limited force has
-  // done work: 2 mJ up to 2 mm and 8 mJ beyond; less the lag of the holds, plus the energy that the
-  // damping dissipates at 0.05 mm per tick.
+  // A wall of the largest allowed stiffness, pressed 6 mm deep, with at most 2 N. The work against
+  // the limited force is 2 mJ up to 2 mm and 8 mJ beyond, less the loss in the holds, plus the
+  // energy that the damping dissipates at 0.05 mm per tick.
   SafetySettings settings = whole();
   settings.maximumStiffness = 1000.0;
   settings.maximumForce = 2.0;
@@ -119,8 +119,8 @@ TEST(SafetyChain, PassivityBoundsAnOverStiffWall)
 
 TEST(SafetyChain, RepeatedReadingsAreOneHold)
 {
-  // A device that reports its position every fourth tick, each time 0.4 mm further. The work is
-  // that of 4 ms. The damping dissipates a quarter of the energy that it would for the same
+  // A device reports its position every fourth tick, each time 0.4 mm further. The work is that of
+  // 4 ms. The damping dissipates a quarter of the energy that it would dissipate for the same
   // distance in 1 ms.
   ChainedWall wall(whole());
   wall.feel(0.0);
@@ -137,9 +137,9 @@ TEST(SafetyChain, RepeatedReadingsAreOneHold)
 
 TEST(SafetyChain, EntryRampReachesTheWholeForceAtRest)
 {
-  // The hand rests 4 mm deep while the force rises. This energy is allowed on purpose until the
-  // last step, here of half a tick. Only the energy for the present force is allowed, as the depth
-  // is unknown.
+  // The hand rests 4 mm deep while the force rises. This energy is granted intentionally until the
+  // last step, here of half a tick. Only the energy for the present force is granted, because the
+  // depth is unknown.
   SafetySettings settings = whole();
   settings.entryRamp = 499.5 * Period;
   ChainedWall wall(settings);
@@ -175,7 +175,7 @@ TEST(SafetyChain, AChangeOnPurposeIsNotTakenForActivity)
       safe = wall.Chain.apply(input);
     }
     // 7.8 mJ were put in, and the damping dissipated 0.6 mJ. They allow √(2·3000·8.4e-3) = 7.1 N,
-    // 0.71 of the request; with 0.71 of the damping √0.71 of that.
+    // 0.71 of the request. With 0.71 of the damping, √0.71 of this force is allowed.
     EXPECT_NEAR(safe.force.z(), onPurpose ? 10.0 : std::sqrt(0.71) * 7.1, onPurpose ? 1e-12 : 0.01);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The events that end the force, their times, and the restart after them.
+// The events that end the force, the times at which they do so, and the restart afterwards.
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
@@ -57,8 +57,8 @@ TEST(SafetyLoss, EveryLossIsZeroInTheSameTickAndClosesTheGate)
       EXPECT_EQ(inside.force, Vector3d::Zero());
       EXPECT_EQ(inside.acted, flag(SafetyLink::Gate));
     }
-    // Once the tip has been outside, the force is as before. Deep inside, the slew limit starts at
-    // zero.
+    // After the tip has been outside, the force is as before. At the large depth, the slew limit
+    // starts at zero.
     EXPECT_EQ(wall.feel(0.0).acted, 0);
     const SafeForce again = wall.feel(8e-3);
     EXPECT_NEAR(again.force.z(), 5.0, 1e-9);
@@ -79,8 +79,8 @@ TEST(SafetyLoss, WithoutAGateTheForceComesBackFromNothing)
   EXPECT_NEAR(wall.feel(8e-3).force.z(), 5.0, 1e-9);
 }
 
-// A missing reading, or one without a valid position, only costs its own ticks and those of the
-// slew limit.
+// A missing reading, or a reading without a valid position, suppresses the force only in its own
+// ticks and in those of the slew limit.
 TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
 {
   const std::function<void(SafetyInput&)> gaps[] = { [](SafetyInput& in) { in.valid = false; },
@@ -106,7 +106,7 @@ TEST(SafetyLoss, AGapEndsTheForceAndNotTheTouch)
       const SafeForce back = wall.feel(4e-3);
       EXPECT_NEAR(back.force.z(), 4.0, 1e-12) << ticks;
       EXPECT_EQ(back.acted, 0);
-      // Deeper after the gap: the force starts at zero, with 5 N per tick.
+      // The tip is deeper after the gap. The force starts at zero, with 5 N per tick.
       SafetyInput bad = wall.at(4e-3);
       spoil(bad);
       wall.Chain.apply(bad);
@@ -135,8 +135,8 @@ TEST(SafetyLoss, AGapThatIsLongerThanTheTimeOutIsALoss)
       EXPECT_EQ(safe.force, Vector3d::Zero());
       ++gap;
     } while (safe.isGap && gap < 1000);
-    // The default for a device without a time-out, as most are, is 20 ms. One tick more if the sum
-    // of the ticks rounds.
+    // A device without its own time-out has the default of 20 ms. There is one tick more if the sum
+    // of the ticks is rounded.
     EXPECT_NEAR(gap, timeOut == 0.01 ? 11 : 21, 1);
     EXPECT_EQ(wall.Chain.energy(), 0.0);
     safe = wall.feel(4e-3);
@@ -175,8 +175,9 @@ TEST(SafetyLoss, WithoutPassivityControlThereAreNoGaps)
   EXPECT_EQ(wall.feel(4e-3).acted, flag(SafetyLink::Gate));
 }
 
-// A hand that knows when readings are missing moves in without a force and out with a force. It
-// gains no energy, for gaps of one to nine ticks. It accelerates by at most 20 m/s².
+// A hand that knows when readings are missing moves inward while there is no force and outward
+// while there is a force. It gains no energy, for gaps of one to nine ticks. It accelerates by at
+// most 20 m/s².
 TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
 {
   for (const bool gate : { true, false })
@@ -227,7 +228,7 @@ TEST(SafetyLoss, NoMotionGetsEnergyOutOfGaps)
 
 TEST(SafetyLoss, SilenceEndsTheForceAfterTheTimeOutInTicks)
 {
-  // The device repeats its sample: 20 ms are allowed, so the 21st tick without a new one has no
+  // The device repeats its sample. 20 ms are allowed, so the 21st tick without a new sample has no
   // force.
   for (const double start : { 0.0, 10.0, 12345.0 })
   {
@@ -244,7 +245,7 @@ TEST(SafetyLoss, SilenceEndsTheForceAfterTheTimeOutInTicks)
       ++silent;
       EXPECT_EQ(safe.has(SafetyLink::Watchdog), safe.force.isZero(0.0));
     } while (!safe.force.isZero(0.0) && silent < 100);
-    // One tick more if the sum of the ticks rounds to 20 ms or less.
+    // One tick more if the rounded sum of the ticks is 20 ms or less.
     EXPECT_GE(silent, 20);
     EXPECT_LE(silent, 22);
     for (int i = 0; i < 100; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sampled spring stiffer than 2b/T on a mass without a hand: its oscillation grows without
-// passivity control and decays with it. A spring of the largest allowed stiffness is not changed.
+// A sampled spring stiffer than 2b/T acts on a mass without a hand. Its oscillation grows without
+// passivity control and decays with passivity control. A spring of the largest allowed stiffness is
+// not changed.
 #include "Haptics/Simulation/PlantAxis.h"
 #include "Haptics/Safety/SafetyChain.h"
 
@@ -38,7 +39,7 @@ enum class Spring
   Both  ///< on both sides of 0
 };
 
-/// The mass meets a spring with 0.1 m/s, and a constant force pushes it towards the spring.
+/// The mass moves towards a spring at 0.1 m/s, and a constant force pushes it towards the spring.
 Course throwAt(Spring kind, double stiffness, bool controlled, double push, int ticks)
 {
   SafetySettings settings;
@@ -90,7 +91,7 @@ TEST(SafetyStability, AnActiveSpringGrowsWithoutTheControlAndDiesWithIt)
     EXPECT_GT(loose.last, 1.5 * loose.first) << share;
     EXPECT_LT(held.last, 0.02 * held.first) << share;
     EXPECT_GT(held.acted, 10) << share;
-    // The sum of kinetic and stored energy never grows. This is the proof of PassivityControl,
+    // The sum of kinetic and stored energy never increases. This is the proof of PassivityControl,
     // checked with the energies of the plant. The Slack is 1e-9 J.
     EXPECT_LE(held.growth, 2e-9) << share;
   }
@@ -98,8 +99,8 @@ TEST(SafetyStability, AnActiveSpringGrowsWithoutTheControlAndDiesWithIt)
 
 TEST(SafetyStability, AWallPressedByAConstantForce)
 {
-  // 0.5 N press the mass into a wall. If it is stiffer than 2b/T, the mass bounces without end,
-  // higher and higher.
+  // 0.5 N press the mass against a wall. If the wall is stiffer than 2b/T, the mass bounces
+  // endlessly, with increasing height.
   for (const double share : { 1.5, 2.0, 5.0 })
   {
     const Course loose = throwAt(Spring::Wall, share * Stiffest, false, 0.5, 5000);
@@ -122,7 +123,8 @@ TEST(SafetyStability, NothingIsTouchedUpToTheLimit)
       EXPECT_EQ(held.push, loose.push) << stiffness;
     }
   }
-  // The plant is that of the table: stable just below the critical stiffness, unstable just above.
+  // The plant is the plant of the table: stable just below the critical stiffness, unstable just
+  // above.
   const Course below = throwAt(Spring::Both, 0.998 * Critical, false, 0.0, 20000);
   const Course above = throwAt(Spring::Both, 1.002 * Critical, false, 0.0, 20000);
   EXPECT_LT(below.last, below.first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chain with a torque: the same gate and factor, its own limits, and no torque whenever there
-// is no force.
+// The chain with a torque: the gate and the factor of the force, separate limits, and no torque
+// whenever there is no force.
 #include "Haptics/Safety/SafetyChain.h"
 
 #include "ChainedWall.h"
@@ -32,8 +32,8 @@ SafetySettings turning()
   return SafetySettings::of(device);
 }
 
-/// A wall that also turns the tool upright, by 40 mN m/rad at a depth of 1 mm, less at smaller
-/// depths. This is small enough to be passive in addition to the force.
+/// A wall that also turns the tool upright, by 40 mN m/rad at a depth of 1 mm and less at smaller
+/// depths. This torque is small enough to be passive in addition to the force.
 struct TurningWall : ChainedWall
 {
   using ChainedWall::ChainedWall;
@@ -46,7 +46,7 @@ struct TurningWall : ChainedWall
     input.cappedTorque = input.idealTorque;
     return input;
   }
-  /// Tilted by 0.1 rad outside, then pressed 1 mm deep.
+  /// Tilts the tool by 0.1 rad outside, then presses it 1 mm deep.
   SafeForce press()
   {
     SafeForce last;
@@ -103,7 +103,7 @@ TEST(SafetyTorque, GoesWithTheForceInTheSameTick)
   wall.Chain.stop();
   expectNone(wall.Chain.apply(wall.at(1e-3, 0.1)), SafetyLink::Stopped);
   wall.Chain.start();
-  // A turn that is not reported cannot be counted.
+  // Energy of a turn that is not reported cannot be counted.
   wall.press();
   input = wall.at(1e-3, 0.1);
   input.orientation = orientationNotTold();
@@ -123,18 +123,19 @@ TEST(SafetyTorque, LimitsOfItsOwn)
   SafetyInput input = wall.at(1e-3);
   input.orientation = ToolOrientation::Identity();
   input.idealTorque.y() = 1.0;
-  input.cappedTorque.y() = 0.8; // half of the requested torque
+  input.cappedTorque.y() = 0.8; // capped to 0.8 of the requested torque
   const std::uint16_t always = flag(SafetyLink::Fit) + flag(SafetyLink::StiffnessCap);
   for (const double expected : { 0.04, 0.08, 0.12, 0.16, 0.2, 0.2 })
   {
     const SafeForce safe = wall.Chain.apply(input);
-    EXPECT_NEAR(safe.torque.y(), expected, 1e-12); // times of 1e-3 s round to 2e-15 s after 10 s
+    // Times of 1e-3 s are rounded to 2e-15 s after 10 s.
+    EXPECT_NEAR(safe.torque.y(), expected, 1e-12);
     EXPECT_EQ(safe.force.z(), 0.5);
     EXPECT_EQ(safe.acted & (always | flag(SafetyLink::Slew)), always | flag(SafetyLink::Slew));
     input.time += Period;
   }
-  // Starts from the sent 0.2 N m: the limit of the magnitude does not influence the limit of the
-  // rate.
+  // The rate limit starts from the sent 0.2 N m, so the limit of the magnitude does not influence
+  // it.
   input.cappedTorque.setZero();
   EXPECT_NEAR(wall.Chain.apply(input).torque.y(), 0.16, 1e-12);
 
@@ -172,8 +173,8 @@ TEST(SafetyTorque, ADeviceWithoutTorqueIsSentTheForceOfBefore)
 
 TEST(SafetyTorque, AHandThatTurnsAtDepthGetsNoMoreThanItPutIn)
 {
-  // A flat end that is pressed in tilted gives a small force; turned upright at depth it gives a
-  // large one. The device outputs no torque, so the turn takes no work of the hand. The energy of
+  // A flat end that is pressed in while tilted has a small force. Turned upright at depth, it has a
+  // large force. The device outputs no torque, so the turn needs no work of the hand. The energy of
   // the force must have been put in.
   SafetySettings settings = whole();
   ChainedWall wall(settings);
@@ -210,7 +211,7 @@ TEST(SafetyTorque, StiffnessCapOfATorque)
   EXPECT_EQ(cappedTorqueShare(contact, Infinity), 1.0);
   EXPECT_EQ(cappedTorqueShare(contact, 5.0), 0.0);
   EXPECT_EQ(cappedTorqueShare(Contact(), 5.0), 1.0);
-  // 1 N m/rad at the device; distances in the body are twice as long: M_body = 2000 M_device.
+  // 1 N m/rad at the device. Distances in the body are twice as long, so M_body = 2000 M_device.
   SafetySettings settings = turning();
   settings.forceFactor = 0.5;
   EXPECT_EQ(SafetyChain(settings).bodyTorsionalLimit(2.0), 4000.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every value arrives in order, or its loss is counted. The thread sanitizer runs this test, too.
+// Every value arrives in order, or its loss is counted. This test also runs with the thread
+// sanitizer.
 #include "Haptics/Servo/SampleRing.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +72,7 @@ TEST(SampleRing, WhatIsPreparedIsNotDrained)
     ring.push(2 * i);
     ring.prepare(-1);
     ring.push(2 * i + 1);
-    ring.prepare(-1); // full
+    ring.prepare(-1); // the ring is full
     EXPECT_EQ(drained(ring), (std::vector<long>{ 2 * i, 2 * i + 1 }));
   }
   EXPECT_EQ(ring.overruns(), 0u);
@@ -128,7 +129,7 @@ TEST(SampleRing, BetweenThreadsValuesAreWholeInOrderAndAccountedFor)
   bool finished = false;
   while (!finished)
   {
-    finished = done; // read before the drain, which then gets all values pushed before
+    finished = done; // read before the drain, so that the drain gets all values pushed before
     ring.drain(
       [&](const Values& values)
       {

@@ -28,7 +28,8 @@ TEST(SampleWatchdog, LostOnTheFirstTickAfterTheTimeOut)
   {
     EXPECT_TRUE(watchdog.isLost(now * tick, false)) << silent;
   }
-  // The returning sample is still a loss: the force has been held or zero for all that time.
+  // The first new sample is still treated as a loss, because the force has been held or zero since
+  // the last sample.
   EXPECT_TRUE(watchdog.isLost(now * tick, true));
   EXPECT_FALSE(watchdog.isLost((now + 1) * tick, true));
   EXPECT_FALSE(watchdog.isLost((now + 2) * tick, false));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A running servo loop is given other scenes. The newest is rendered; all are freed by the owner.
-// The sanitizers run this test, too.
+// A running servo loop receives other scenes. It renders the newest scene. The owner frees all
+// scenes. This test also runs with the sanitizers.
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
@@ -19,7 +19,7 @@ namespace
 {
 const Vector3d Inside(0.0, 0.0, 0.0195); // m: half a millimetre deep in a ball of 20 mm
 
-/// A scene that counts, when it is freed, whether the right thread frees it.
+/// Makes scenes that record, when they are freed, whether the right thread frees them.
 class SceneSource
 {
 public:
@@ -84,7 +84,8 @@ TEST(SceneChange, TheNewSceneIsRenderedAndTheOldOneFreed)
     const Tick& after = loop.newest();
     EXPECT_EQ(after.scene, 1u);
     EXPECT_EQ(after.sceneShare, 1.0);
-    // Twice the forces of the body give twice the force, up to the rounding at the end of the ramp.
+    // A body with twice the stiffness gives twice the force, up to the rounding at the end of the
+    // ramp.
     EXPECT_NEAR(after.appliedForce.norm(), 2.0 * before, 1e-9);
     EXPECT_EQ(source.Freed, 1);
     EXPECT_EQ(loop.statistics().sceneChanges, 1u);
@@ -111,7 +112,7 @@ TEST(SceneChange, OneOfferedToALoopThatRestsIsRenderedFromItsStart)
     }
     EXPECT_EQ(loop.newest().scene, 1u);
     EXPECT_EQ(source.Freed, 2);
-    loop.changeScene(source.make(soft)); // taken or not, it is freed once
+    loop.changeScene(source.make(soft)); // the scene is freed once, whether the loop uses it or not
     loop.stop();
   }
   EXPECT_EQ(source.Freed, source.Made);
@@ -132,12 +133,12 @@ TEST(SceneChange, ThousandsWhileTheLoopRuns)
     for (int i = 1; i <= Changes; ++i)
     {
       loop.changeScene(source.make(i % 2 == 0 ? soft : hard));
-      if (i % 4 == 0) // four in quick succession, then one that is certainly taken
+      if (i % 4 == 0) // four changes in quick succession, then a change that is certainly used
       {
         waitForTicks(loop, loop.ticks() + 2);
       }
     }
-    // The last scene is rendered at the end: Changes is even, so it is the soft one.
+    // The last scene is rendered at the end. Changes is even, so the last scene is the soft one.
     const double expected =
       stepOn(source, soft).step(StandingDevice(Inside).read(0.0), 0.0).appliedForce.norm();
     while (loop.newest().sceneShare < 1.0 || loop.newest().appliedForce.norm() != expected)

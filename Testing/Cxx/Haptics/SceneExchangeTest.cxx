@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes are passed to another thread and returned to the thread that made them, which frees them.
-// None leaks, none is freed while in use or by the user. The sanitizers run this test, too.
+// No scene is leaked, freed while in use, or freed by the thread that uses it. This test also runs
+// with the sanitizers.
 #include "Haptics/Servo/SceneExchange.h"
 
 #include <gtest/gtest.h>
@@ -95,8 +96,8 @@ TEST(SceneExchange, ListsThatComeBackBeforeACollectionAreJoined)
 TEST(SceneExchange, ThousandsBetweenThreads)
 {
   constexpr int Offers = 20000;
-  constexpr int Together = 8; // number of offers in quick succession; then waits until one was
-                              // taken
+  // Number of offers in quick succession, before waiting until one was taken.
+  constexpr int Together = 8;
   int taken = 0;
   std::size_t collected = 0;
   std::atomic<int> newest{ 0 };

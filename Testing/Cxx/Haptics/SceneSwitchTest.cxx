@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Another body, tool or material under the tip: the force changes within 50 ms, without a jump.
+// After a change of body, tool or material under the tip, the force changes within 50 ms, without a
+// jump.
 #include "Haptics/Servo/SceneSwitch.h"
 
 #include "Contact/CappedResponse.h"
@@ -51,7 +52,7 @@ int count(std::unique_ptr<ServoScene> list)
   return scenes;
 }
 
-/// The force of a scene alone. Its contact begins with the contact of the former scene.
+/// The force of a scene alone. Its contact starts from the contact of the previous scene.
 struct Alone
 {
   explicit Alone(const ServoScene& scene)
@@ -99,13 +100,13 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
   const auto hard = stiffened(ball, 8.0F);
   for (const double friction : { 0.0, 0.5 })
   {
-    for (const double factor : { 1.0, 0.1 }) // of the hard scene
+    for (const double factor : { 1.0, 0.1 }) // force factor of the hard scene
     {
       SceneSwitch scenes(sceneOf(soft, 1.0, friction));
       Alone before(*sceneOf(soft, 1.0, friction));
       Alone after(*sceneOf(hard, factor, friction));
       Vector3 last = Vector3::Zero();
-      double leap = 0.0; // jump of a plain exchange
+      double leap = 0.0; // jump of the force without a ramp
       int ramped = 0;
       for (int i = 0; i < 200; ++i)
       {
@@ -157,7 +158,7 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
       EXPECT_EQ(count(scenes.takeRetired()), 0);
       if (factor == 1.0)
       {
-        EXPECT_GT(leap, 10.0); // N: the ramp allows 0.2 N of it per tick
+        EXPECT_GT(leap, 10.0); // N; the ramp allows 2 % of this jump per tick
       }
     }
   }
@@ -165,8 +166,8 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
 
 TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
 {
-  // 10 N at factor 1, and 100 N at factor 0.1: the sent force remains at 10 N. If factor and force
-  // were blended separately, it would reach 30 N ((1+0.1)/2 of (10+100)/2).
+  // 10 N at factor 1 and 100 N at factor 0.1 give the same sent force of 10 N. If factor and force
+  // were interpolated separately, the sent force would reach 30 N ((1+0.1)/2 of (10+100)/2).
   const Surface ball = icosphere(20.0, 3);
   SceneSwitch scenes(sceneOf(stiffened(ball, 1.0F)));
   const Vector3 still = tipAt(0);
@@ -175,7 +176,8 @@ TEST(SceneSwitch, BothFitToTheDeviceTheBlendIsToo)
   for (int i = 0; i < 60; ++i)
   {
     const SceneForce felt = scenes.update(still, Period, Infinity);
-    EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force); // float32 curves
+    // Curves are stored as float32.
+    EXPECT_NEAR(felt.forceFactor * felt.idealForce.norm(), force, 1e-6 * force);
   }
   EXPECT_FALSE(scenes.isSwitching());
 }
@@ -230,18 +232,19 @@ TEST(SceneSwitch, TheNewestOfThoseThatWaitIsTakenAfterTheRamp)
       scenes.change(sceneOf(bodies[2]));
       EXPECT_EQ(count(scenes.takeRetired()), 0);
     }
-    if (i == 20) // replaces the third, which is never used
+    if (i == 20) // replaces the third scene, which is never used
     {
       scenes.change(sceneOf(bodies[3]));
       EXPECT_EQ(count(scenes.takeRetired()), 1);
     }
     const Vector3 now = scenes.update(tipAt(0), Period, Infinity).idealForce;
-    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6); // the largest change, 1 → 4
+    // The largest change is from 1 to 4.
+    EXPECT_LE((now - last).norm(), 3.0 * force * PerTick + 1e-6);
     last = now;
     felt.push_back(now.norm() / force);
   }
   EXPECT_NEAR(felt[0], 1.0, 1e-6);  // float32 curves, as below
-  EXPECT_NEAR(felt[25], 2.5, 1e-5); // half way
+  EXPECT_NEAR(felt[25], 2.5, 1e-5); // in the middle of the ramp
   EXPECT_NEAR(*std::max_element(felt.begin(), felt.end()), 4.0, 1e-5);
   EXPECT_NEAR(felt[49], 4.0, 0.061); // at the end of the ramp, less one tick
   EXPECT_NEAR(felt.back(), 2.0, 1e-5);
@@ -255,7 +258,8 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
   const Surface slab = subdivided(block(40, 40, 3), 4);
   SceneSwitch scenes(sceneOf(stiffened(slab, 1.0F)));
   scenes.update(Vector3(20.3, 18.7, 2.0), Period, Infinity);
-  const Vector3 deep(20.3, 18.7, 1.2); // beyond the middle; the contact history keeps it on the top
+  // Beyond the middle; the contact remains on the top, where it began.
+  const Vector3 deep(20.3, 18.7, 1.2);
   EXPECT_GT(scenes.update(deep, Period, Infinity).idealForce.z(), 0.0);
   scenes.change(sceneOf(stiffened(slab, 2.0F)));
   for (int i = 0; i < 60; ++i)
@@ -264,7 +268,7 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
     ASSERT_GT(felt.idealForce.z(), 0.0) << i;
     EXPECT_NEAR(felt.contact.deflection, 1.8, 1e-6);
   }
-  // Another body has no such side: a new contact begins.
+  // On another body, the contact does not continue on this side: a new contact begins.
   scenes.change(sceneOf(stiffened(subdivided(block(40, 40, 2.5), 4), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {
@@ -285,7 +289,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
     scenes.update(tip, Period, Infinity);
   }
   const double sliding = scenes.update(tip, Period, Infinity).contact.friction.x();
-  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ 10 N, float32
+  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ times 10 N, stored as float32
   scenes.change(sceneOf(body, 1.0, 0.5));
   double last = sliding;
   for (int i = 0; i <= 50; ++i) // the tip is at rest
@@ -297,7 +301,7 @@ TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
     EXPECT_LE(std::abs(felt.idealForce.x() - last), -sliding * PerTick + 1e-9);
     last = felt.idealForce.x();
   }
-  // Friction builds up as in any contact: 10 N/mm over 0.1 mm. Below breakaway there is no creep.
+  // Friction builds up in the usual way: 10 N/mm over 0.1 mm. Below breakaway there is no creep.
   tip.x() += 0.1;
   EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), -1.0, 1e-6);
 }
@@ -312,8 +316,7 @@ TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)
   EXPECT_NEAR(smooth.update(tip, Period, Infinity).reach, 1.0, 1e-6);
   rough.update(tip, Period, Infinity);
   const SceneForce stretched = rough.update(tip + Vector3(0.3, 0, 0), Period, Infinity);
-  EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway it is the distance that the tip was
-                                           // moved
+  EXPECT_NEAR(stretched.reach, 1.3, 1e-6); // below breakaway the distance moved by the tip is added
   EXPECT_EQ(smooth.update(Vector3(20, 20, 11), Period, Infinity).reach, 0.0);
   EXPECT_TRUE(smooth.update(Vector3(20, 20, 11), Period, Infinity).outside);
 }
@@ -329,7 +332,7 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   scenes.update(tipAt(1), Period, Infinity);
   const SceneSwitch copy(scenes);
   EXPECT_TRUE(copy.isSwitching());
-  EXPECT_EQ(other.use_count(), 3); // this reference, the waiting scene, and its copy
+  EXPECT_EQ(other.use_count(), 3); // references: this variable, the waiting scene, and its copy
   scenes.forget();
   EXPECT_FALSE(scenes.isSwitching());
   EXPECT_EQ(scenes.changes(), 2U);
@@ -337,8 +340,8 @@ TEST(SceneSwitch, ForgettingEndsTheRampAndFreesNothing)
   const SceneForce felt = scenes.update(tipAt(2), Period, Infinity);
   EXPECT_EQ(felt.share, 1.0);
   EXPECT_EQ(felt.idealForce, ToolContact(*other).update(tipAt(2)).force) << "the newest of all";
-  EXPECT_EQ(body.use_count(), 5); // this reference, both that were discarded, and the two of the
-                                  // copy
+  // References: this variable, both discarded scenes, and the two scenes of the copy
+  EXPECT_EQ(body.use_count(), 5);
   EXPECT_EQ(count(scenes.takeRetired()), 2);
   EXPECT_EQ(body.use_count(), 3);
 }
@@ -356,11 +359,12 @@ TEST(SceneSwitch, OutsideAndTouchingAreOfBoth)
     const SceneForce felt = scenes.update(tip, Period, Infinity);
     EXPECT_FALSE(felt.outside);
     EXPECT_EQ(felt.contact.state, ContactState::Slide);
-    EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6); // 10 N over 50 ms
+    // A change of 10 N over 50 ms.
+    EXPECT_LE(std::abs(felt.idealForce.z() - last), 10.0 * PerTick + 1e-6);
     last = felt.idealForce.z();
   }
   EXPECT_GT(last, 9.5); // 10 δ^1.5, less the sag of the facets
-  // The change back: "outside" only after the ramp.
+  // During the change back, the tip is "outside" only after the ramp.
   scenes.change(sceneOf(stiffened(icosphere(20.0, 3), 1.0F)));
   for (int i = 0; i < 60; ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the servo thread do not use the heap: with a recording that is drained and one that
-// overruns, with changes of scene, late ticks, and a device that fails.
+// The ticks of the servo thread do not use the heap: with a recording that is drained, with a
+// recording that overruns, with changes of scene, late ticks, and a device that fails.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
@@ -18,8 +18,8 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Reads the allocation count of the servo thread at its second reading and at the newest. All
-/// allocations between them belong to ticks. The hand moves in and out.
+/// Records the allocation count of the servo thread at its second reading and at the newest
+/// reading. All allocations between these readings belong to ticks. The hand moves in and out.
 class CountingDevice final : public StandingDevice
 {
 public:
@@ -32,7 +32,7 @@ public:
     StandingDevice::write(force);
     return this->Reads % 11 != 0;
   }
-  long First = 0; ///< read it after the loop
+  long First = 0; ///< may be read after the loop has ended
   std::atomic<long> Newest{ 0 };
   bool Allocates = false;
 

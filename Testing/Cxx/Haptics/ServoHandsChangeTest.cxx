@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two devices on one body: a change of scene is the same blend as for one device, a gap of one
-// hand's readings keeps its contact, and a rehearsal is the step.
+// Two devices on one body. A change of scene has the same interpolation as for one device. A gap in
+// one hand's readings does not end its contact. A rehearsal computes the same ticks as the step.
 #include "TwoHandStep.h"
 
 #include "SampleBodies.h"
@@ -94,17 +94,18 @@ struct SlabHands
     samples[0].valid = isFirstThere;
     return this->step.press(samples, Period * this->ticks++);
   }
-  /// Whether the hand is pushed up by the top face.
+  /// Returns whether the force of the top face pushes the hand up.
   bool isOnTop(std::size_t hand) const
   {
     const Contact& contact = this->step.ticks[hand].contact;
-    return contact.force.z() > 0.0 && std::abs(contact.deflection - 1.8) < 1e-6; // floats
+    // Rounding of floats.
+    return contact.force.z() > 0.0 && std::abs(contact.deflection - 1.8) < 1e-6;
   }
 };
 } // namespace
 
-// Without coupling, each of two hands has the bits of a step of its own at every tick of a change,
-// with force factors, friction, all links, and a second scene that waits.
+// Without coupling, each of two hands has the same bits as a separate step, at every tick of a
+// change. The test includes force factors, friction, all links, and a second scene that waits.
 TEST(ServoHandsChange, EachOfTwoHasTheBlendOfOne)
 {
   const CoupledPlate plate;
@@ -140,7 +141,7 @@ TEST(ServoHandsChange, EachOfTwoHasTheBlendOfOne)
 }
 
 // Two coupled flat ends at rest, then the same springs without coupling: each force is the linear
-// blend of both.
+// interpolation between both states.
 TEST(ServoHandsChange, CoupledForcesGoOverLinearly)
 {
   const CoupledPlate plate(true);
@@ -163,7 +164,7 @@ TEST(ServoHandsChange, CoupledForcesGoOverLinearly)
     for (std::size_t hand = 0; hand < 2; ++hand)
     {
       EXPECT_NEAR(hands.ticks[hand].deviceForce.z(),
-        (1.0 - way) * coupled[hand] + way * alone[hand], 1e-5) // floats
+        (1.0 - way) * coupled[hand] + way * alone[hand], 1e-5) // rounding of floats
         << i << ", hand " << hand;
     }
   }
@@ -178,15 +179,15 @@ TEST(ServoHandsChange, ASceneForAnotherNumberOfHandsIsRefused)
   EXPECT_FALSE(hands.change(sceneOf(body, 1)));
   EXPECT_FALSE(hands.isSwitching());
   EXPECT_EQ(count(hands.takeRetired()), 1);
-  // The constructor makes it again, and ignores a fifth hand.
+  // The constructor adapts the scene to the number of hands, and ignores a fifth hand.
   const SafetySettings safety = whole();
   const ServoStep::Hand hand{ {}, safety };
   EXPECT_EQ(ServoStep(sceneOf(body, 2), { hand, hand, hand }).count(), 3U);
   EXPECT_EQ(ServoStep(sceneOf(body, 1), { hand, hand, hand, hand, hand }).count(), 4U);
 }
 
-// A hand beyond the middle of a slab is still on the side from which it came after a gap of its
-// readings, but not after a loss.
+// After a gap in its readings, a hand beyond the middle of a slab is still on the side from which
+// it came. After a loss it is not.
 TEST(ServoHandsChange, AGapOfOneKeepsItsContact)
 {
   SlabHands hands;
@@ -212,7 +213,8 @@ TEST(ServoHandsChange, AGapOfOneKeepsItsContact)
   EXPECT_NE(hands.step.ticks[0].acted & static_cast<std::uint16_t>(SafetyLink::Gate), 0);
 }
 
-// The scene changes in the gap: the new contact of the hand begins on its side, when it is back.
+// The scene changes during the gap. The new contact of the hand begins on the same side when the
+// readings return.
 TEST(ServoHandsChange, AGapAcrossAChangeKeepsTheSide)
 {
   SlabHands hands;
@@ -232,7 +234,8 @@ TEST(ServoHandsChange, AGapAcrossAChangeKeepsTheSide)
   EXPECT_FALSE(hands.step.isSwitching());
 }
 
-// The ramp belongs to the scene: it goes on while one hand is lost, and ends with the last.
+// The ramp belongs to the scene. It continues while one hand is lost, and ends when all hands are
+// lost.
 TEST(ServoHandsChange, ARampEndsWhenAllAreLost)
 {
   SlabHands hands;
@@ -254,7 +257,8 @@ TEST(ServoHandsChange, ARampEndsWhenAllAreLost)
   EXPECT_GT(hands.step.ticks[1].deviceForce.z(), 0.0);
 }
 
-// A rehearsal of the samples that the step gets has its bits, and leaves no trace.
+// A rehearsal of the samples that the step gets computes the same bits, and does not change the
+// state.
 TEST(ServoHandsChange, ARehearsalOfTwoIsForgotten)
 {
   const Body body = CoupledPlate().body();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two devices on one body: the effect of one contact on the other, compared with equations solved
-// by hand; separate data of each hand; loss of one.
+// by hand; separate data of each hand; loss of one device.
 #include "TwoHandStep.h"
 
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -91,7 +91,7 @@ TEST(ServoHands, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
   {
     TwoSamples samples{ sampleOf(turned, wandering(tick)), sampleOf({}, wandering(tick + 500)) };
     samples[0].buttons = tick / 300 % 3 == 2 ? 1 : 0;
-    samples[0].fresh = tick % 1000 < 960; // silent for longer than the time-out
+    samples[0].fresh = tick % 1000 < 960; // no new sample for longer than the time-out
     samples[1].valid = tick % 90 > 5;     // gaps
     const double time = 1e-3 * tick;
     const auto& both = hands.press(samples, time);
@@ -101,7 +101,7 @@ TEST(ServoHands, EachHasTheBitsOfAStepOfItsOwnWithoutCoupling)
     {
       expectSame(both[0], one);
     }
-    else // a silent device has no force, and no effect on the other
+    else // a device without new samples has no force, and no effect on the other
     {
       EXPECT_EQ(both[0].deviceForce, Vector3d::Zero());
       EXPECT_EQ(both[0].contact.state, ContactState::Invalid);
@@ -117,17 +117,18 @@ TEST(ServoHands, TheSecondLiftsForceOffTheFirst)
   const auto body = flatPlate();
   TwoHandStep hands = handsOn(body);
   TwoSamples samples = FlatEnds::pressing(0.5, -1.0);
-  EXPECT_NEAR(hands.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6); // floats
+  // Rounding of floats.
+  EXPECT_NEAR(hands.press(samples, 0.0)[0].deviceForce.z(), 0.5 * Spring, 1e-6);
   for (int tick = 1; tick < 200; ++tick)
   {
-    const double depth = std::min(0.8, 0.008 * tick); // mm, of the second hand
+    const double depth = std::min(0.8, 0.008 * tick); // depth of the second hand, mm
     samples = FlatEnds::pressing(0.5, depth);
     const auto& ticks = hands.press(samples, 1e-3 * tick);
     const double first = FlatEnds::force(0.5, depth);
     const double second = FlatEnds::force(depth, 0.5);
-    // 8 mm/s: with two iterations per tick, the error is below 1e-4 of the force during motion.
-    const double left = tick < 110 ? 2e-4 : 2e-6; // 10 ticks after the motion only the error of
-                                                  // floats is left
+    // 8 mm/s: with two iterations per tick, the error during motion is below 1e-4 of the force.
+    // 10 ticks after the motion only the error of floats remains
+    const double left = tick < 110 ? 2e-4 : 2e-6;
     if (second > 0.02)
     {
       EXPECT_NEAR(ticks[0].deviceForce.z(), first, left * Spring) << tick;
@@ -137,7 +138,7 @@ TEST(ServoHands, TheSecondLiftsForceOffTheFirst)
   // The force of the first hand is reduced by C_12 F_2 K.
   const auto& ticks = hands.ticks;
   EXPECT_NEAR(0.5 * Spring - ticks[0].deviceForce.z(), Mutual * ticks[1].deviceForce.z() * Spring,
-    1e-5); // floats
+    1e-5); // rounding of floats
   EXPECT_GT(0.5 * Spring - ticks[0].deviceForce.z(), 0.3);
 
   TwoHandStep apart = handsOn(flatPlate(false));
@@ -179,17 +180,18 @@ TEST(ServoHands, LosingOneLeavesTheOtherAlone)
     {
       hands.stop(1);
     }
-    for (; loss == Silent && tick < 49 + 20; ++tick) // up to the time-out the contact remains
+    for (; loss == Silent && tick < 49 + 20; ++tick) // the contact remains up to the time-out
     {
       hands.press(samples, 1e-3 * tick);
       EXPECT_GT(hands.ticks[1].deviceForce.z(), 0.0);
     }
-    ++tick; // 20 ms are at the time-out, or beyond it by rounding
+    ++tick; // the time is 20 ms, or slightly more by rounding
     const auto& ticks = hands.press(samples, 1e-3 * tick);
     EXPECT_EQ(ticks[1].deviceForce, Vector3d::Zero()) << loss;
     EXPECT_NEAR(ticks[0].deviceForce.z(), 0.5 * Spring, 1e-6) << loss;
     EXPECT_EQ(ticks[0].acted, 0) << loss;
-    // It returns inside the body: the gate is closed until the tip has been outside.
+    // The device returns while the tip is inside the body. The gate is closed until the tip has
+    // been outside.
     hands.start(1);
     for (int again = 1; again < 5; ++again)
     {
@@ -200,7 +202,7 @@ TEST(ServoHands, LosingOneLeavesTheOtherAlone)
   }
 }
 
-// Two flat ends at the limit of their devices: motion in opposite directions is stiffer than a
+// Two flat ends at the limit of their devices. Motion in opposite directions is stiffer than a
 // single contact by 1/(1 - 2a/(πr)), and the cap reduces each force by this factor.
 TEST(ServoHands, TheStiffnessCapCountsBoth)
 {
@@ -219,12 +221,12 @@ TEST(ServoHands, TheStiffnessCapCountsBoth)
     const double ideal = isCoupled ? FlatEnds::force(0.5, 0.5) : 0.5 * Spring;
     const Tick& tick = hands.ticks[0];
     EXPECT_NEAR(tick.idealForce.z(), ideal, 1e-5);
-    EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // floats
+    EXPECT_NEAR(tick.deviceForce.z(), 0.5 / stiffer * ideal, 2e-5); // rounding of floats
   }
 }
 
-// Two masses without a hand, each pressed by a constant force, that oscillate in opposite
-// directions.
+// Returns whether the oscillation of two masses decays. Each mass has no hand, is pressed by a
+// constant force, and oscillates opposite to the other mass.
 namespace
 {
 bool calmsDown(bool isCoupled, double stiffness)
@@ -266,11 +268,12 @@ bool calmsDown(bool isCoupled, double stiffness)
 } // namespace
 
 // The largest stable spring of one such mass is 2003.339 N/m (stability_K_limits.csv). For two
-// coupled contacts, motion in opposite directions reaches this limit at 1 - 2a/(πr) of it.
+// coupled contacts, motion in opposite directions is at this limit at 1 - 2a/(πr) times this
+// stiffness.
 TEST(ServoHands, OppositeMotionIsUnstableWhereItsStiffnessIs)
 {
   const double limit = 2003.339;
-  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // 0.745
+  const double share = 1.0 - 2.0 * CoupledPlate::Flat / (Pi * Apart); // the value is 0.745
   // At 3 % from the limit, an oscillation changes by e^±3 in 20 s.
   EXPECT_TRUE(calmsDown(true, 0.97 * share * limit));
   EXPECT_FALSE(calmsDown(true, 1.03 * share * limit));
@@ -279,8 +282,8 @@ TEST(ServoHands, OppositeMotionIsUnstableWhereItsStiffnessIs)
   EXPECT_FALSE(calmsDown(false, 1.03 * limit));
 }
 
-// Work on both devices, in their own units, over a closed path, a quarter of a turn apart. The
-// bound is 2e-6 F δ, the reference for two iterations per tick.
+// Work on both devices, in device units, over a closed path, with a phase difference of a quarter
+// turn. The bound is 2e-6 F δ, the reference for two iterations per tick.
 TEST(ServoHands, AClosedPathOfTwoKeepsTheEnergy)
 {
   const std::shared_ptr<const ContactBody> body = CoupledPlate().body();

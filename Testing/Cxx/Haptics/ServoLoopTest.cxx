@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The servo thread ticks, publishes, and leaves zero force. No times are checked.
+// The servo thread ticks, publishes its ticks, and leaves zero force at the end. No times are
+// checked.
 #include "Haptics/Servo/ServoLoop.h"
 
 #include "SampleResponses.h"
@@ -28,7 +29,8 @@ namespace
 /// F = 10 δ^1.5 under a tip half a millimetre deep in a ball of 20 mm.
 const Vector3d Inside(0.0, 0.0, 0.0195); // m
 
-// The force of one step outside of any loop. The step is a copy, so the loop's own is not changed.
+// The force of one step outside of any loop. `step` is a copy, so the loop's own step is not
+// changed.
 Vector3d forceAt(const Vector3d& position, ServoStep step)
 {
   DeviceSample sample;
@@ -63,7 +65,7 @@ TEST(ServoLoop, TicksPublishesAndStopsWithZeroForce)
   EXPECT_FALSE(last.valid);
 }
 
-// Compares with a loop that sleeps until the tick, for the same reading.
+// Compares the loop with a loop that sleeps until the tick, for the same reading.
 TEST(ServoLoop, ARehearsalChangesNoForce)
 {
   const auto body = uniformBody(icosphere(20.0, 3));
@@ -81,7 +83,8 @@ TEST(ServoLoop, ARehearsalChangesNoForce)
   EXPECT_EQ(device.Last, Vector3d::Zero());
 }
 
-// The same bits in every tick of a path with stick, slide, exit and re-entry.
+// A rehearsed step gives the same bits in every tick of a path with stick, slide, exit and
+// re-entry.
 TEST(ServoStep, ARehearsalIsForgotten)
 {
   const std::shared_ptr<const ContactBody> body = uniformBody(icosphere(20.0, 3));
@@ -158,7 +161,7 @@ TEST(ServoLoop, AnExceptionOfTheOwnerLeavesZeroForce)
 
 namespace
 {
-/// Accepts zero force only at the fourth request. The three before it find the device busy.
+/// Accepts zero force only at the fourth request. At the first three requests the device is busy.
 class BusyDevice final : public StandingDevice
 {
 public:
@@ -233,7 +236,8 @@ TEST(SteeredHand, ApproachesItsTargetExponentially)
   SimulatedDevice device(Vector3d::Zero());
   EXPECT_EQ(device.read(0.0).position, Vector3d::Zero());
   device.steerTo(Vector3d(0.01, 0.0, -0.02));
-  // After one time constant 1 - 1/e of the distance, for any steps (rounding of 30 products).
+  // After one time constant the hand has moved 1 - 1/e of the distance, for any steps (rounding of
+  // 30 products).
   for (int i = 1; i <= 30; ++i)
   {
     device.read(i * SteeredTarget::TimeConstant / 30.0);

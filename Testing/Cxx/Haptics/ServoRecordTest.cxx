@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The results of a servo loop: every tick, and statistics that account for every period. The only
-// time checked is the time that a device spends on purpose.
+// time that is checked is a delay that the test device causes.
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoLoop.h"
 #include "StandingDevice.h"
@@ -39,8 +39,8 @@ protected:
   }
 };
 
-/// Fails in known ticks: every third sample is invalid, every fifth is a repetition, every seventh
-/// force is refused.
+/// Fails in known ticks: every third sample is invalid, every fifth sample is a repetition, every
+/// seventh force is refused.
 class FailingDevice final : public StandingDevice
 {
 public:
@@ -59,7 +59,7 @@ protected:
   }
 };
 
-/// Spends the given time in its tenth reading.
+/// Delays its tenth reading by the given time.
 class StallingDevice final : public StandingDevice
 {
 public:
@@ -182,8 +182,8 @@ TEST(ServoRecord, PeriodsThatPassInATickAreMissedAndTheGridStays)
   loop.stop();
   std::vector<double> times;
   loop.drain([&](const Tick& tick) { times.push_back(tick.time); });
-  // The missed ticks are those that were due while the tenth tick took 7.5 periods or more. The
-  // tenth tick may have begun late, and others may have been missed.
+  // The missed ticks are those that were due during the tenth tick, which took 7.5 periods or more.
+  // The tenth tick may have begun late, and other ticks may have been missed.
   EXPECT_GE(loop.missed(), 7u);
   EXPECT_GE(times[10] - times[9], 7.999e-3);
   EXPECT_NEAR(times.back() * Rate, static_cast<double>(loop.ticks() + loop.missed() - 1), 1e-9);

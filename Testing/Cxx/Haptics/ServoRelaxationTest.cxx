@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A relaxing body in the servo step: time, gaps and losses of readings, other bodies, and the loop
-// closed over a mass. N, mm, s.
+// A relaxing body in the servo step: time, gaps and losses of readings, changes of body, and a
+// closed loop with a mass. N, mm, s.
 #include "Haptics/Servo/ServoStep.h"
 
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -46,7 +46,7 @@ SafetySettings unlimited()
   return SafetySettings::magnitudeOnly(Infinity);
 }
 
-/// A press to 1 mm that leaves and enters again, while it moves along the surface.
+/// Position of a press to 1 mm that leaves and enters again, while it moves along the surface.
 Vector3 pathAt(double t)
 {
   return tipAt(0.8 * std::sin(9.0 * t) + 0.2, 28.0 + 3.0 * std::sin(2.0 * t), 29.1);
@@ -64,7 +64,8 @@ TEST(ServoRelaxation, TimeIsThatOfTheTicks)
   double remembered = 0.0;
   for (int i = 0; i < 2000; ++i)
   {
-    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i))); // uneven ticks
+    // Ticks with unequal periods.
+    const double t = Period * (i + 0.3 * std::sin(static_cast<double>(i)));
     const Tick tick = step.step(sampleAt(pathAt(t)), t);
     const Contact expected = contact.update(tick.tip, i > 0 ? t - last : 0.0);
     ASSERT_EQ(tick.contact.force, expected.force) << i;
@@ -88,7 +89,7 @@ TEST(ServoRelaxation, TheSameTicksGiveTheSameBits)
   }
 }
 
-// The material's time continues during missing readings. A loss ends only the contact.
+// The material continues to relax while readings are missing. A loss ends only the contact.
 TEST(ServoRelaxation, MissingReadingsPassInTime)
 {
   const RelaxingPlate plate(1.5, relaxation({ { 1.0, 0.1 } }));
@@ -101,7 +102,7 @@ TEST(ServoRelaxation, MissingReadingsPassInTime)
     const double t = Period * i;
     const Tick truth = whole.step(sampleAt(pressed(i)), t);
     DeviceSample sample = sampleAt(pressed(i));
-    // 5 ms without readings during the press; then at rest one NaN and a long gap, which are
+    // 5 ms without readings during the press. Later, at rest, one NaN and a long gap, which are
     // losses.
     sample.valid = !((i > 30 && i < 36) || (i > 200 && i < 400));
     sample.position.x() = i == 100 ? std::numeric_limits<double>::quiet_NaN() : sample.position.x();
@@ -111,8 +112,8 @@ TEST(ServoRelaxation, MissingReadingsPassInTime)
       EXPECT_EQ(felt.deviceForce, Vector3d::Zero());
       continue;
     }
-    // With a uniform press through the gap, the elements are the same up to rounding. The
-    // difference between chord and curve is uniform, up to (T/τ)² of itself.
+    // The press is uniform through the gap, so the elements are the same up to rounding. The
+    // difference between chord and curve is uniform, with a relative error of up to (T/τ)².
     EXPECT_NEAR(felt.contact.normalForce, truth.contact.normalForce, 1e-4) << i;
   }
   gaps.stop();
@@ -157,8 +158,8 @@ TEST(ServoRelaxation, ALostReadingCreatesNothing)
   }
 }
 
-// Another body under the tip, in contact: it begins without memory, and the force changes to it in
-// 50 ms.
+// The body is changed during contact. The new body begins without memory, and the force changes to
+// its force within 50 ms.
 TEST(ServoRelaxation, AnotherBodyBeginsAtRest)
 {
   const RelaxingPlate first(1.5, relaxation({ { 1.0, 0.2 } }));
@@ -193,7 +194,7 @@ namespace
 bool comesToRest(double stiffness, const PronySeries& series, double mass, double damping,
   double period, double delay)
 {
-  // The range is 2 mm, half of it is pressed: contact never ends.
+  // The range is 2 mm, of which half is pressed, so the contact never ends.
   const RelaxingPlate plate(1.0, series, 2.0, [&](const Vector3&) { return 1e-3 * stiffness; });
   const auto body = plate.body();
   ToolContact contact(*body);
@@ -229,8 +230,8 @@ bool comesToRest(double stiffness, const PronySeries& series, double mass, doubl
 }
 } // namespace
 
-// The exact limits of the sampled loop from the reference: below them the mass comes to rest, above
-// them its oscillation grows.
+// The exact limits of the sampled loop from the reference. Below the limit the mass comes to rest;
+// above the limit its oscillation grows.
 TEST(ServoRelaxation, LoopsAreStableToTheExactLimit)
 {
   const ReferenceTable table("rate/stability_prony.csv");
@@ -255,7 +256,7 @@ TEST(ServoRelaxation, LoopsAreStableToTheExactLimit)
   EXPECT_EQ(tested, 14);
 }
 
-// The chain caps the stiffness that counts in a loop: the instantaneous one.
+// The chain caps the instantaneous stiffness, because it determines the stability of a loop.
 TEST(ServoRelaxation, TheCapKnowsTheInstantaneousStiffness)
 {
   const PronySeries series = relaxation({ { 2.0, 0.1 } });

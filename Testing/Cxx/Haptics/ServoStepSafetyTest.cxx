@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The step with chain, clutch and switch: the force that reaches the device, and the cases without
-// force.
+// The step with chain, clutch and switch: the force that is sent to the device, and the cases
+// without force.
 #include "Haptics/Servo/ServoStep.h"
 
 #include "SampleResponses.h"
@@ -66,7 +66,7 @@ SafetySettings whole()
   return SafetySettings::of(device);
 }
 
-/// A step whose tip has come from outside and presses 1.8 mm deep, beyond the middle.
+/// A step whose tip has come from outside and presses 1.8 mm deep, beyond the middle of the slab.
 struct Pressed
 {
   ServoStep step;
@@ -92,7 +92,7 @@ struct Pressed
 
 TEST(ServoStepSafety, TheFormerStepGivesTheFormerBits)
 {
-  // As without a chain: the limit over the norm, in the frame of the body.
+  // Without a chain the factor is the limit divided by the norm, in the frame of the body.
   const auto body = uniformBody(icosphere(20.0, 3));
   const double limit = 3.0;
   ServoStep step(*body, WorkspaceMapping(), limit);
@@ -175,7 +175,7 @@ TEST(ServoStepSafety, NothingIsSentInTheTickOfAFailureAndContactsAreForgotten)
       EXPECT_NE(pressed.last.acted & static_cast<int>(SafetyLink::NoSample), 0);
       EXPECT_FALSE(pressed.step.isSwitching()) << "nothing is left to ramp";
       EXPECT_NE(pressed.step.takeRetired(), nullptr);
-      // The same tip now belongs to the bottom. With a gate it must first have been outside.
+      // The same tip now belongs to the bottom. With a gate, the tip must first have been outside.
       pressed.go(overSlab(1.2));
       EXPECT_LT(pressed.last.contact.force.z(), 0.0);
       EXPECT_EQ(pressed.last.deviceForce == Vector3d::Zero(), safety.gate);
@@ -198,14 +198,14 @@ TEST(ServoStepSafety, AMissingReadingCostsItsTickAndNotTheTouch)
     EXPECT_EQ(pressed.last.contact.state, ContactState::Invalid);
     EXPECT_FALSE(pressed.last.valid || pressed.last.fresh);
     EXPECT_NE(pressed.last.acted & static_cast<int>(SafetyLink::NoSample), 0);
-    // Still on the side where it entered, which is farther away than the bottom.
+    // The contact is still on the side where the tip entered, although the bottom is nearer.
     EXPECT_NEAR(pressed.go(overSlab(1.2)).deviceForce.z(), before, 1e-9);
   }
 }
 
 TEST(ServoStepSafety, ASilentDeviceIsSentNothingFromTheTickItCountsAsLost)
 {
-  Pressed pressed(whole()); // 20 ms
+  Pressed pressed(whole()); // the time-out is 20 ms
   DeviceSample silent = overSlab(1.2);
   silent.fresh = false;
   int sent = 0;
@@ -253,7 +253,7 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
       safety.maximumStiffness = 3000.0; // N/m
       safety.forceFactor = factor;
       const WorkspaceMapping mapping(Eigen::Matrix3d::Identity(), Vector3d::Zero(), scale);
-      ServoStep step(slabScene(3.0F), mapping, safety); // 45 √δ N/mm
+      ServoStep step(slabScene(3.0F), mapping, safety); // the stiffness is 45 √δ N/mm
       const double way = 1e-6;                          // m
       double last = 0.0;
       double stiffest = 0.0;
@@ -268,8 +268,8 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
         last = tick.deviceForce.z();
         felt = tick.idealForce.z() * factor;
       }
-      // The tolerance of the cap is 1e-7 of K δ, over steps of δ/1000; that of the float32 mesh is
-      // 1e-6 mm of 1e-3 mm.
+      // The tolerance of the cap is 1e-7 of K δ, over steps of δ/1000. The tolerance of the float32
+      // mesh is 1e-6 mm of 1e-3 mm.
       EXPECT_LE(stiffest, 3000.0 * 1.003) << scale;
       EXPECT_GE(stiffest, 3000.0 * 0.99) << scale;
       EXPECT_GT(uncapped, 2.0 * stiffest);
@@ -280,8 +280,8 @@ TEST(ServoStepSafety, NoStifferThanTheDeviceAllowsAtAnyScaleAndFactor)
 TEST(ServoStepSafety, ThePassivityControlLeavesAPassiveSceneAlone)
 {
   // A spring much softer than the device allows is pressed and released, and slid back and forth
-  // with friction. The energy that it holds, given by δ and the stretch of the friction, is more
-  // than F²/(2 K_max).
+  // with friction. Its energy, which follows from δ and the stretch of the friction, exceeds F²/(2
+  // K_max).
   ContactSettings settings;
   settings.friction.coefficient = 0.5;
   settings.friction.tangentialStiffness = 2.0;
@@ -336,9 +336,9 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
     EXPECT_GT(full, 5.0);
     const Vector3d tip = pressed.last.tip;
     double last = full;
-    // While the button is held, the hand moves up by 20 mm; after the release it stands still. With
-    // passivity control the hand waits until the force is gone: motion along the force would make
-    // the control reduce it sooner.
+    // While the button is held, the hand moves up by 20 mm. After the release it stands still. With
+    // passivity control the hand waits until the force is zero, because motion along the force
+    // would cause the control to reduce the force earlier.
     const int wait = controlled ? 60 : 1;
     for (int i = 1; i <= 500; ++i)
     {
@@ -346,7 +346,7 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       const double height = 1.2 + 0.1 * std::clamp(i - wait, 0, 200);
       pressed.go(overSlab(height, held ? Button : 0));
       EXPECT_EQ(pressed.last.clutched, held);
-      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding error of 40 mm
+      EXPECT_LE((pressed.last.tip - tip).norm(), 1e-12); // rounding error for positions of 40 mm
       EXPECT_LE(std::abs(pressed.last.deviceForce.z() - last), full * Period / 0.05 + 1e-9) << i;
       EXPECT_NEAR(pressed.last.contact.force.z(), full, 1e-9) << "the tip feels what it felt";
       last = pressed.last.deviceForce.z();
@@ -356,8 +356,8 @@ TEST(ServoStepSafety, ClutchedTheHandIsFreeAndNothingJumps)
       }
     }
     EXPECT_NEAR(last, full, 1e-9);
-    // The tip continues from there: 1.8 mm up is outside, although the hand is 20 mm higher than at
-    // first.
+    // The tip continues from its position: 1.8 mm up it is outside, although the hand is 20 mm
+    // higher than initially.
     EXPECT_GT(pressed.go(overSlab(21.2 + 1.7)).contact.force.z(), 0.0);
     EXPECT_EQ(pressed.go(overSlab(21.2 + 1.9)).contact.state, ContactState::None);
   }
@@ -367,7 +367,8 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
 {
   ServoStep step(slabScene(), WorkspaceMapping(), whole(), Button);
   double time = 0.0;
-  for (int i = 0; i < 300; ++i, time += Period) // begins inside; the hand leaves, the tip does not
+  // Begins inside; the hand moves outside, but the tip does not.
+  for (int i = 0; i < 300; ++i, time += Period)
   {
     const bool held = i > 50 && i < 200;
     const Tick tick =
@@ -386,8 +387,7 @@ TEST(ServoStepSafety, TheClutchDoesNotOpenTheGate)
 
 TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
 {
-  // With all links on, at rest: the force changes from 10 δ^1.5 N to 30 δ^1.5 N at 1.8 mm within
-  // 50 ms.
+  // All links on, at rest. The force at 1.8 mm changes from 10 δ^1.5 N to 30 δ^1.5 N within 50 ms.
   Pressed pressed(whole());
   const double before = pressed.last.deviceForce.z();
   pressed.step.change(slabScene(2.0F));
@@ -400,7 +400,7 @@ TEST(ServoStepSafety, AScenesChangeReachesTheDeviceWithoutAStep)
     EXPECT_EQ(pressed.last.scene, 1U);
     last = pressed.last.deviceForce.z();
   }
-  EXPECT_NEAR(last, 2.0 * before, 1e-5); // float32 curves
+  EXPECT_NEAR(last, 2.0 * before, 1e-5); // curves are stored as float32
   EXPECT_EQ(pressed.last.sceneShare, 1.0);
 }
 

@@ -82,7 +82,7 @@ TEST(ServoStep, NumbersOfTheTickAreThoseOfToolContact)
 
 TEST(ServoStep, ForceArrivesInTheFrameOfTheDevice)
 {
-  // The device's x is the body's z: pressing the top of a slab gives a force along x.
+  // The device's x is the body's z. A press on the top of a slab gives a force along x.
   Eigen::Matrix3d rotation;
   rotation << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   const auto body = uniformBody(thinSlab());
@@ -142,7 +142,8 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
   DeviceSample failed = sampleAt(Vector3d(0.0203, 0.0187, 0.0012));
   failed.valid = false;
   for (const DeviceSample& bad : { failed, DeviceSample(), sampleAt(Vector3d(NotANumber, 0, 0)),
-         sampleAt(Vector3d(0, Infinity, 0)), sampleAt(Vector3d(0, 0, 1e306)) }) // overflows in mm
+         // The last position overflows in mm.
+         sampleAt(Vector3d(0, Infinity, 0)), sampleAt(Vector3d(0, 0, 1e306)) })
   {
     ServoStep step(*body, WorkspaceMapping(), 100.0);
     EXPECT_GT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0020)), 0.0).deviceForce.z(), 0.0);
@@ -153,7 +154,7 @@ TEST(ServoStep, InvalidSamplesSendNothingAndForget)
     EXPECT_EQ(tick.contact.state, ContactState::Invalid);
     EXPECT_EQ(tick.contact.force, Vector3d::Zero());
     EXPECT_EQ(tick.deviceForce, Vector3d::Zero());
-    // The history is cleared: the same tip now belongs to the bottom.
+    // The contact history is cleared, so the same tip now belongs to the bottom.
     EXPECT_LT(step.step(sampleAt(Vector3d(0.0203, 0.0187, 0.0012)), 0.0).deviceForce.z(), 0.0);
   }
 }
@@ -187,7 +188,7 @@ TEST(ServoStep, PaperFormIsPassedOn)
   const DeviceSample sample = sampleAt(WorkspaceMapping().toDevice(tip));
   ServoStep paper(*body, WorkspaceMapping(), 100.0, { palpate::ForceForm::Paper });
   ServoStep whole(*body, WorkspaceMapping(), 100.0);
-  // h²/(6R²) for a sphere of 80 facets, h = 0.55 … 0.62 R: 5 % to 6.5 %.
+  // Relative error h²/(6R²) for a sphere of 80 facets with h = 0.55 … 0.62 R: 5 % to 6.5 %.
   EXPECT_LT(paper.step(sample, 0.0).contact.normalForce,
     0.97 * whole.step(sample, 0.0).contact.normalForce);
 }

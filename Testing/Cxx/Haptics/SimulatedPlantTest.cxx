@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The simulated device with a mass in a hand: timing of forces and readings, encoders, targets,
-// determinism, wrong settings. For its mechanics see PlantAxisTest and StabilityLimitTest.
+// determinism, wrong settings. Its mechanics are tested in PlantAxisTest and StabilityLimitTest.
 #include "Haptics/Simulation/SimulatedDevice.h"
 
 #include "Agreement.h"
@@ -58,7 +58,7 @@ TEST(SimulatedPlant, HoldsAForceUntilTheNext)
   EXPECT_EQ(sample.position, Vector3d(0.25, 0.0, -0.5));
   EXPECT_EQ(sample.velocity, Vector3d(1.0, 0.0, -2.0));
   EXPECT_TRUE(sample.valid && sample.fresh);
-  sample = device.read(11.0); // no new force: the last one is held
+  sample = device.read(11.0); // without a new force, the last force is held
   EXPECT_EQ(sample.position, Vector3d(1.0, 0.0, -2.0));
   device.write(Origin);
   sample = device.read(12.0);
@@ -115,7 +115,7 @@ TEST(SimulatedPlant, DelaysOfTheSample)
 
 TEST(SimulatedPlant, ForcesFasterThanTheirDelay)
 {
-  // A force that arrives more than four times faster than specified replaces the one before it.
+  // A force that arrives more than four times faster than specified replaces the previous force.
   SimulatedPlant plant = plainMass();
   plant.forceDelay = 0.5;
   DeviceSpecification specification;
@@ -140,12 +140,12 @@ TEST(SimulatedPlant, EncodersRound)
   device.write({ 1.0, -1.0, 0.0 });
   DeviceSample sample = device.read(0.25); // at 0.0625, half a step: rounded away from zero
   EXPECT_EQ(sample.position, Vector3d(0.125, -0.125, 0.0));
-  sample = device.read(0.5); // at 0.25
+  sample = device.read(0.5); // the true position is 0.25
   EXPECT_EQ(sample.position, Vector3d(0.25, -0.25, 0.0));
   EXPECT_EQ(sample.velocity, Vector3d(0.5, -0.5, 0.0)); // computed from the readings
   EXPECT_EQ(device.truePosition(), Vector3d(0.25, -0.25, 0.0));
   EXPECT_EQ(device.trueVelocity(), Vector3d(1.0, -1.0, 0.0));
-  sample = device.read(0.55); // at 0.3025
+  sample = device.read(0.55); // the true position is 0.3025
   EXPECT_EQ(sample.position, Vector3d(0.25, -0.25, 0.0));
   EXPECT_TRUE(agrees(device.truePosition().x(), 0.3025, 1e-15));
 }
@@ -165,7 +165,7 @@ TEST(SimulatedPlant, FollowsAPathWithinTheTick)
   }
   seldom.read(0.0);
   seldom.read(0.04);
-  // Corners and jumps of the path are located exactly: only rounding errors differ.
+  // Corners and jumps of the path are located exactly, so only rounding errors differ.
   EXPECT_NEAR((often.truePosition() - seldom.truePosition()).norm(), 0.0, 1e-15);
   EXPECT_GT(seldom.truePosition().norm(), 1e-6);
 }
@@ -180,8 +180,8 @@ TEST(SimulatedPlant, ASteeredHand)
   {
     const Vector3d x = device.read(1e-3 * tick).position;
     const double share = std::exp(-1e-3 * tick / SteeredTarget::TimeConstant);
-    // The speed of the target, at most 0.7 m/s, changes in ticks: the hand has settled before the
-    // end of each.
+    // The speed of the target, at most 0.7 m/s, changes from tick to tick. The hand has settled
+    // before the end of each tick.
     EXPECT_NEAR(x.x(), 0.01 * share, 1e-8);
     EXPECT_NEAR(x.y(), 0.02 * (1.0 - share), 1e-8);
   }
@@ -206,7 +206,7 @@ TEST(SimulatedPlant, SteeredFromAnotherThread)
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3d x = device.read(time += 1e-3).position;
-    EXPECT_EQ(x.x(), x.y()); // targets are not torn
+    EXPECT_EQ(x.x(), x.y()); // a target is never read partly written
     EXPECT_EQ(x.x(), x.z());
   }
   mouse.join();
@@ -273,7 +273,7 @@ TEST(SimulatedPlant, RefusesAForceThatIsNotFinite)
   device.write({ 1.0, 0.0, 0.0 });
   device.read(1.0);
   EXPECT_FALSE(device.write({ NotANumber, 0.0, 0.0 }));
-  EXPECT_EQ(device.read(2.0).position.x(), 3.0); // it continues at 2 m/s
+  EXPECT_EQ(device.read(2.0).position.x(), 3.0); // the mass continues at 2 m/s
 }
 
 TEST(SimulatedPlant, WrongSettingsAreNamed)
@@ -365,14 +365,15 @@ TEST(SimulatedPlant, IsReadFromText)
   for (const auto& [text, error] : wrong)
   {
     EXPECT_EQ(palpate::readPlant(text, held), error) << text;
-    EXPECT_EQ(held.plant.mass, 0.2); // unchanged
+    EXPECT_EQ(held.plant.mass, 0.2); // `held` is unchanged
   }
 }
 
 TEST(SimulatedPlant, StatesWhatASampledLoopMayRender)
 {
   // b > KT/2 (Colgate and Schenkel 1997). StabilityLimitTest has the exact limits of such loops:
-  // 2003.339 N/m, and 668.513 N/m with a delay of one tick. Half of each comes to rest.
+  // 2003.339 N/m, and 668.513 N/m with a delay of one tick. Loops with half of these stiffnesses
+  // come to rest.
   EXPECT_EQ(palpate::specificationOf(SimulatedPlant(), 1000.0).maximumStiffness, 1000.0);
   SimulatedPlant late;
   late.forceDelay = 0.0005;

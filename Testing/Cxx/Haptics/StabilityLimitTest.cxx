@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A virtual spring closed over the simulated device becomes unstable at the limit of the exact
+// The loop of a virtual spring and the simulated device becomes unstable at the limit of the exact
 // theory of the zero-order hold (Data/Reference/stability_K_limits.csv; device of 0.1 kg, no hand).
 // The hold creates the predicted energy.
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -28,13 +28,14 @@ namespace
 struct Loop
 {
   double period = 1e-3;
-  double damping = 1.0;        ///< of the device
+  double damping = 1.0;        ///< damping of the device, N s/m
   double virtualDamping = 0.0; ///< computed from backward differences
   double forceDelay = 0.0;
   double sampleDelay = 0.0;
 };
 
-/// Positions in the first `ticks` ticks of a loop with a virtual spring about 0, released at 1 mm.
+/// Returns the positions in the first `ticks` ticks of a loop with a virtual spring about 0,
+/// released at 1 mm.
 std::vector<double> released(const Loop& loop, double stiffness, int ticks)
 {
   SimulatedPlant plant;
@@ -59,8 +60,8 @@ std::vector<double> released(const Loop& loop, double stiffness, int ticks)
 }
 
 /**
- * Stability of the loop, found from its motion. A linear loop of order n obeys x_{k+n} = Σ a_i
- * x_{k+i}. n such equations give the characteristic polynomial z^n - Σ a_i z^i. Its roots are
+ * Determines the stability of the loop from its motion. A linear loop of order n obeys x_{k+n} = Σ
+ * a_i x_{k+i}. n such equations give the characteristic polynomial z^n - Σ a_i z^i. Its roots are
  * within the unit circle if Jury's conditions hold.
  */
 template <int Order>
@@ -102,7 +103,7 @@ double limit(const Loop& loop)
   return low;
 }
 
-/// True if the oscillation of the mass is smaller forty thousand ticks later.
+/// Returns true if the oscillation of the mass is smaller after forty thousand ticks.
 bool calmsDown(const Loop& loop, double stiffness)
 {
   constexpr int Ticks = 40000;
@@ -121,8 +122,8 @@ bool calmsDown(const Loop& loop, double stiffness)
 const char* const Table = "stability_K_limits.csv";
 /// The table's eigenvalues differ from its closed form by up to 4e-9.
 constexpr double TableDigits = 1e-8;
-/// Rounding errors of the identification, divided by bT/2m = 2.5e-4, by which eigenvalues change
-/// with K at 10 kHz.
+/// Rounding errors of the identification, divided by bT/2m = 2.5e-4, the rate at which eigenvalues
+/// change with K at 10 kHz.
 constexpr double Identified = 2e-9;
 } // namespace
 
@@ -147,8 +148,8 @@ TEST(StabilityLimit, OneTickOfDelay)
     Loop loop;
     loop.period = table.number(row, "T_s");
     loop.damping = table.number(row, "b_Ns_per_m");
-    // A delay of the force, of the sample, and half of each: the loop depends on their sum. The
-    // limit for a fractional delay split in two is that for the whole delay.
+    // The delay is in the force, in the sample, or half in each: the loop depends only on the sum.
+    // The limit for a delay split into two fractions is the limit for the whole delay.
     for (const double share : { 1.0, 0.0, 0.5 })
     {
       loop.forceDelay = share * loop.period;
@@ -196,8 +197,8 @@ TEST(StabilityLimit, SwingsDieOutBelowAndGrowAbove)
 
 TEST(StabilityLimit, TheHandCalms)
 {
-  // A hand is a spring and a damper, in parallel with those of the device: unstable without a hand,
-  // stable with it.
+  // A hand is a spring and a damper in parallel with those of the device. The loop is unstable
+  // without a hand and stable with a hand.
   DeviceSpecification specification;
   for (const bool isHeld : { false, true })
   {
@@ -225,8 +226,8 @@ TEST(StabilityLimit, TheHandCalms)
 
 TEST(StabilityLimit, EnergyTheHoldLeaks)
 {
-  // A strong, well damped hand presses at speed v to a depth of 2 mm and returns at v. The work of
-  // the motor is Σ F_k (x_{k+1} - x_k), which is F_max v T for any monotone law.
+  // A strong, well damped hand presses at speed v to a depth of 2 mm and returns at speed v. The
+  // work of the motor is Σ F_k (x_{k+1} - x_k), which is F_max v T for any monotone law.
   constexpr double Period = 1e-3;
   constexpr double Depth = 2e-3;
   for (const double speed : { 0.02, 0.1 })
@@ -236,7 +237,7 @@ TEST(StabilityLimit, EnergyTheHoldLeaks)
       const double time = 4e-3 / speed;
       SimulatedPlant plant;
       plant.mass = 0.01;
-      // The hand follows within F/k = 3e-9 m for 2 mm, and settles within a tick.
+      // The hand follows to within F/k = 3e-9 m of 2 mm, and settles within a tick.
       SimulatedDevice device(plant, { 1e9, 1e5 },
         { { 0.0, { 0, 0, Depth } }, { time, { 0, 0, -Depth } }, { 2.0 * time, { 0, 0, Depth } } });
       double work = 0.0;
@@ -253,7 +254,7 @@ TEST(StabilityLimit, EnergyTheHoldLeaks)
         device.write({ 0.0, 0.0, force });
       }
       EXPECT_GT(strongest, 2.9);
-      // 3e-9 m compared with the distance per tick, at least 2e-5 m.
+      // The tolerance is for 3e-9 m in the distance per tick, which is at least 2e-5 m.
       EXPECT_TRUE(agrees(work, strongest * speed * Period, 1e-3)) << speed << " " << exponent;
     }
   }

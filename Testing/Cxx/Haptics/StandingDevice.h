@@ -12,7 +12,7 @@
 namespace palpate::testing
 {
 /// A device that stands still and stores the forces. The test reads them after the loop has
-/// stopped. onRead is called in every tick, for further actions.
+/// stopped. onRead is called in every tick and can be overridden for further actions.
 class StandingDevice : public HapticDevice
 {
 public:

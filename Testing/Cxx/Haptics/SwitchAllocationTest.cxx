@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Switching scenes and the clutch do not use the heap: nothing is allocated or freed.
+// Changes of scene and the clutch do not use the heap: nothing is allocated or freed.
 #include "AllocationCount.h"
 #include "SampleResponses.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -41,7 +41,8 @@ TEST(TickAllocation, SwitchingAndClutching)
   const long before = allocationCount();
   for (int tick = 0; tick < 100 * Changes; ++tick)
   {
-    // One scene after the other; every third during the ramp of the one before.
+    // Scenes change one after the other; every third change is during the ramp of the previous
+    // change.
     if (tick % 100 == (tick / 100 % 3 == 2 ? 20 : 0) || (tick % 100 == 40 && tick / 100 % 3 == 0))
     {
       if (!ready.empty())
@@ -80,7 +81,7 @@ TEST(TickAllocation, SwitchingAndClutching)
   EXPECT_TRUE(ready.empty());
   EXPECT_NE(retired, nullptr);
   EXPECT_NE(step.takeRetired(), nullptr);
-  EXPECT_GT(switching, 1000); // switches and clutch have occurred
+  EXPECT_GT(switching, 1000); // changes of scene and uses of the clutch have occurred
   EXPECT_GT(clutched, 500);
   EXPECT_GT(forces, 1000);
   EXPECT_GT(lost, 20);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tick does not use the heap: on onset, sliding, leaving, at borders, beyond range, on NaN.
+// The tick does not use the heap: at onset, sliding, leaving, at borders, beyond the range, and for
+// NaN.
 #include "AllocationCount.h"
 #include "CoupledPlate.h"
 #include "RelaxingPlate.h"
@@ -44,7 +45,8 @@ void met(States& states, ContactState state)
   ++states[static_cast<std::size_t>(state)];
 }
 
-/// Path over and under a 10 mm plate, beyond its border, up to 3 mm deep; every 97th tip is NaN.
+/// Path above and below the surface of a 10 mm plate, beyond its border, up to 3 mm deep. Every
+/// 97th tip is NaN.
 Vector3d pathOf(int tick)
 {
   const double t = 1e-3 * tick;
@@ -69,7 +71,7 @@ TEST(TickAllocation, TheCounterSeesAllocations)
 {
   long before = allocationCount();
   Sink = ::operator new(8);
-  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc in it
+  EXPECT_EQ(allocationCount(), before + (countsMalloc() ? 2 : 1)); // new, and malloc within new
   before = allocationCount();
   ::operator delete(Sink);
   EXPECT_EQ(allocationCount(), before + 1);
@@ -116,7 +118,7 @@ TEST(TickAllocation, ToolContact)
 
 TEST(TickAllocation, OverSharpAndBluntEdges)
 {
-  // A block with one edge cut off: a tip moves around it under its faces, over all its edges.
+  // A block with one bevelled edge. A tip moves around it under its faces and over all its edges.
   const Surface bevelled =
     subdivided(prism({ { 0, 0 }, { 10, 0 }, { 10, 7 }, { 7, 10 }, { 0, 10 } },
                  { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 } }, 10.0),
@@ -372,7 +374,8 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
       forces[i] += ticks[i].deviceForce.norm() > 0.0;
       met(states, ticks[i].contact.state);
     }
-    if (tick == 2000 || tick == 2020 || tick == 2040) // two wait; the last replaces the other
+    // Two scenes wait, and the last replaces the other.
+    if (tick == 2000 || tick == 2020 || tick == 2040)
     {
       step.change(std::move(next[static_cast<std::size_t>(tick - 2000) / 20]));
     }
@@ -385,7 +388,7 @@ TEST(TickAllocation, OfSeveralDevicesOnOneBody)
   }
   EXPECT_EQ(allocationCount(), before);
   EXPECT_FALSE(step.isSwitching());
-  EXPECT_GT(ramped, 90); // two ramps of 50 ticks, less those in which the hand was missing
+  EXPECT_GT(ramped, 90); // two ramps of 50 ticks, without the ticks in which the hand was missing
   expectEverywhere(states);
   EXPECT_GT(*std::min_element(forces.begin(), forces.end()), 100);
 }

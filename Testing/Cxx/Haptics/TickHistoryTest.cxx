@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the last seconds, compared with a full list that is searched from its beginning.
+// The ticks of the last seconds, compared with a search through a complete list.
 #include "Haptics/Servo/TickHistory.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ palpate::Tick tickAt(double time, unsigned number)
   return tick;
 }
 
-/// Numbers of the ticks less than `seconds` before the last, with a tolerance of half a period.
+/// Numbers of the ticks that are less than `seconds` older than the last tick, with a tolerance of
+/// half a period.
 std::vector<unsigned> within(const std::vector<double>& times, double seconds, double rate)
 {
   std::vector<unsigned> numbers;
@@ -89,7 +90,7 @@ TEST(TickHistory, HoldsABoundedNumberWhateverTheTimes)
   palpate::TickHistory history(0.01, 1000.0);
   for (unsigned i = 0; i < 100; ++i)
   {
-    history.add(tickAt(1.0, i)); // a clock that does not move
+    history.add(tickAt(1.0, i)); // the time does not advance
   }
   EXPECT_EQ(history.size(), 11U);
   EXPECT_EQ(history[10].scene, 99U);

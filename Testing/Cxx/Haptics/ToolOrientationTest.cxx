@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns of a tool, compared with rotation matrices and angles computed by hand; and a hand whose
-// orientation is steered.
+// Turns of a tool, compared with rotation matrices and with angles computed by hand. Also a hand
+// whose orientation is steered.
 #include "Haptics/Devices/SteeredAxis.h"
 #include "Haptics/Devices/TimedPath.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -60,7 +60,7 @@ TEST(ToolOrientation, TheShaftIsTheToolsOwnZ)
 TEST(ToolOrientation, TurnsAreRotationVectors)
 {
   std::mt19937 random(4);
-  std::uniform_real_distribution<double> exponent(-9.0, 0.49); // up to 3.1, less than π
+  std::uniform_real_distribution<double> exponent(-9.0, 0.49); // angles up to 3.1 rad, less than π
   for (int i = 0; i < 500; ++i)
   {
     const double angle = std::pow(10.0, exponent(random));
@@ -98,7 +98,8 @@ TEST(ToolOrientation, ASteeredHandTurnsAsItMoves)
   EXPECT_FALSE(isTold(hand.read(0.0).orientation));
   hand.turnTo(Vector3d(0.0, 0.0, 2.0));
   EXPECT_LE(
-    (shaftOf(hand.read(0.001).orientation) - Vector3d::UnitZ()).norm(), Rounding); // immediately
+    // The first orientation is set immediately.
+    (shaftOf(hand.read(0.001).orientation) - Vector3d::UnitZ()).norm(), Rounding);
   const Vector3d told = Vector3d(1.0, 2.0, 3.0).normalized();
   const double whole = angleBetween(Vector3d::UnitZ(), told);
   hand.turnTo(told);
@@ -109,7 +110,7 @@ TEST(ToolOrientation, ASteeredHandTurnsAsItMoves)
     EXPECT_NEAR(angleBetween(shaft, told), whole * std::exp(-0.001 * i / 0.03), 1e-12);
     EXPECT_NEAR(shaft.dot(Vector3d::UnitZ().cross(told)), 0.0, 1e-12); // along the shortest path
   }
-  hand.turnTo(-shaftOf(hand.read(0.202).orientation)); // the opposite direction
+  hand.turnTo(-shaftOf(hand.read(0.202).orientation)); // towards the opposite direction
   EXPECT_NEAR(shaftOf(hand.read(0.203).orientation).norm(), 1.0, Rounding);
   const Vector3d held = shaftOf(hand.read(0.3).orientation);
   hand.turnTo(Vector3d(NotANumber, 0.0, 0.0));

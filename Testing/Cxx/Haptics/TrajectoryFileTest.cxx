@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Written files are read to the same bits; files of other programs are read; for broken files the
-// error names the line.
+// Written files are read with the same bits. Files of other programs are read. For invalid files
+// the error names the line.
 #include "Haptics/Devices/TrajectoryFile.h"
 
 #include "FileSizeLimit.h"
@@ -205,8 +205,8 @@ TEST(TrajectoryFile, TicksOfAServoStep)
   EXPECT_FALSE(read.hasMemory);
 }
 
-// While the scene changes, the force of the tick is a blend. The row is that of the new scene, so
-// that its columns belong to one law: F² = N² + f².
+// While the scene changes, the force of the tick is a combination of both scenes. The row contains
+// the contact of the new scene, so that its columns satisfy one law: F² = N² + f².
 TEST(TrajectoryFile, ARowDuringAChangeIsThatOfTheNewScene)
 {
   std::vector<Tick> ticks(1);
@@ -328,7 +328,7 @@ TEST(TrajectoryFile, OnAFullDiskTheFirstRowsAreKeptAndTheOldFileStands)
   ASSERT_EQ(palpate::writeTrajectory(file.path(), old), "");
   const Trajectory trajectory = anyTrajectory(true, true);
   for (const std::size_t room :
-    { 300U, 5000U }) // for the names of the columns only, or also for some rows
+    { 300U, 5000U }) // bytes; space for the names of the columns only, or also for some rows
   {
     std::string error;
     {

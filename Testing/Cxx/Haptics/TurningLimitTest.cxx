@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A torsion spring closed over a simulated device that turns: its oscillation grows beyond the
+// The loop of a torsion spring and a simulated device that turns. Its oscillation grows beyond the
 // limit of the theory (Data/Reference/stability_K_limits.csv), and decays with the chain.
 #include "Haptics/Safety/SafetyChain.h"
 #include "Haptics/Simulation/SimulatedDevice.h"
@@ -49,7 +49,8 @@ struct Swing
   double last = 0.0;  ///< largest angle in the last tenth of the time
 };
 
-/// Releases the device at a torsion spring about upright, optionally with the chain.
+/// Releases the device at a torsion spring about the upright orientation, optionally with the
+/// chain.
 Swing swing(double period, double damping, double stiffness, SafetyChain* chain, int ticks)
 {
   SimulatedDevice device = deviceOf(period, damping);
@@ -91,12 +92,12 @@ TEST(TurningLimit, RingsBeyondWhatTheTableSays)
     const double period = table.number(row, "T_s");
     const double damping = Like * table.number(row, "b_Ns_per_m");
     const double limit = Like * table.number(row, "Jury");
-    // At 5 % from the limit the oscillation changes by e^(0.05 b n T/2m). This number of ticks
-    // makes it e^±1.
+    // At 5 % from the limit the oscillation changes by e^(0.05 b n T/2m), which is e^±1 after this
+    // number of ticks.
     const int ticks = static_cast<int>(40.0 * Inertia / (damping * period));
     const Swing below = swing(period, damping, 0.95 * limit, nullptr, ticks);
     const Swing above = swing(period, damping, 1.05 * limit, nullptr, ticks);
-    EXPECT_NEAR(below.first, Start, 0.03 * Start); // the first period has the start angle
+    EXPECT_NEAR(below.first, Start, 0.03 * Start); // the first period begins at the start angle
     EXPECT_LT(below.last, 0.6 * Start) << period << ' ' << damping;
     EXPECT_GT(above.last, 1.6 * Start) << period << ' ' << damping;
     EXPECT_GT(limit, 2.0 * damping / period); // 2b_θ/T, or slightly more
@@ -132,8 +133,8 @@ TEST(TurningLimit, TheChainLetsNoTorqueGrow)
 
 TEST(TurningLimit, TheHandTurnsWhatNoTorqueDoes)
 {
-  // A hand of k_θ and b_θ turns the tool to its target orientation. A constant torque M tilts it
-  // from there by M/k_θ.
+  // A hand of k_θ and b_θ turns the tool to its target orientation. A constant torque M tilts the
+  // tool from the target by M/k_θ.
   SimulatedPlant plant;
   plant.inertia = Inertia;
   plant.turnDamping = 1e-3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The step with a device that reports the orientation of its tool: the contact gets the axis. With
-// a device that does not report it, the ticks are as before.
+// a device that does not report an orientation, the ticks are as before.
 #include "Haptics/Devices/TrajectoryFile.h"
 #include "Haptics/Devices/ReplayDevice.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -55,8 +55,9 @@ DeviceSample sampleAt(double z, const ToolOrientation& orientation = orientation
 
 TEST(TurningStep, OnePowerOnBothSides)
 {
-  // The power F · v + M · ω at the device, in W, equals that in the body, N mm/s, over 1000 scale.
-  // This also holds for a device with left-handed axes, where turns change their sign.
+  // The power F · v + M · ω at the device, in W, equals that in the body, in N mm/s, divided by
+  // 1000 scale. This is also true for a device with left-handed axes, for which turns change their
+  // sign.
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;
   const auto any = [&]
@@ -75,8 +76,8 @@ TEST(TurningStep, OnePowerOnBothSides)
     const Vector3d force = any();
     const Vector3d torque = any();
     const Vector3d velocity = any();
-    // The turn in the body by its definition: the change of an axis that the device turns, seen in
-    // the body.
+    // The turn in the body by its definition: the change, in the body's frame, of an axis that the
+    // device turns.
     const Vector3d turn = 1e-6 * any();
     const Vector3d axis = any().normalized();
     const Vector3d change = mapping.axisToBody(axis + turn.cross(axis)) - mapping.axisToBody(axis);
@@ -106,8 +107,8 @@ TEST(TurningStep, TheContactIsGivenThePose)
   {
     const double z = 10.5 - 0.01 * i;
     const Tick tick = step.step(sampleAt(z, turnedBy(Vector3d(angle, 0.0, 0.0))), 1e-3 * i);
-    // About the device's x, which is the body's y: the shaft tilts to the device's -y, which is the
-    // body's x.
+    // The turn is about the device's x, which is the body's y. The shaft tilts to the device's -y,
+    // which is the body's x.
     const Vector3d axis(std::sin(angle), 0.0, std::cos(angle));
     ASSERT_TRUE(tick.valid);
     EXPECT_LE((tick.axis - axis).norm(), 1e-15);
@@ -116,7 +117,7 @@ TEST(TurningStep, TheContactIsGivenThePose)
     EXPECT_EQ(tick.contact.torque, expected.torque);
     EXPECT_EQ(tick.contact.tilt, expected.tilt);
     EXPECT_EQ(tick.idealTorque, expected.torque);
-    EXPECT_EQ(tick.deviceTorque, Vector3d::Zero()); // the chain permits no torque
+    EXPECT_EQ(tick.deviceTorque, Vector3d::Zero()); // the chain allows no torque
   }
 }
 
@@ -177,7 +178,7 @@ TEST(TurningStep, AFileKeepsAxisAndTorqueAndPlaysThem)
     EXPECT_EQ(isTold(played.orientation), !ticks[i].axis.isZero(0.0));
     EXPECT_LE((mapping.axisToBody(shaftOf(played.orientation)) - ticks[i].axis).norm(), 1e-14);
   }
-  // Halfway between two ticks the shaft is halfway between theirs.
+  // Halfway between two ticks the shaft is halfway between the shafts of both ticks.
   const Vector3d half = mapping.axisToBody(shaftOf(replay.read(1.5e-3).orientation));
   EXPECT_LE((half - (ticks[1].axis + ticks[2].axis).normalized()).norm(), 1e-12);
 

@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 using TwoSamples = std::array<DeviceSample, 2>;
 
-/// A step of two hands that keeps its newest ticks.
+/// A step of two hands that stores its newest ticks.
 struct TwoHandStep : ServoStep
 {
   using ServoStep::ServoStep;
@@ -36,11 +36,11 @@ inline DeviceSample sampleOf(const WorkspaceMapping& mapping, const Vector3& tip
 /// Two flat ends on the CoupledPlate.
 struct FlatEnds
 {
-  static constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, on 1 MPa
+  static constexpr double Spring = 2.0 * CoupledPlate::Flat; ///< N/mm, for a modulus of 1 MPa
   static constexpr double Apart = 5.0;                       ///< mm
   static constexpr double Mutual = 1.0 / (Pi * Apart);       ///< C_12 of Boussinesq, mm/N
 
-  /// Force of the first of two linear springs, each of which lowers the surface for the other.
+  /// Force of the first of two linear springs, each of which lowers the surface under the other.
   static double force(double own, double other)
   {
     return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));

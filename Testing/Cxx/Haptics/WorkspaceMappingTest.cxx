@@ -39,7 +39,7 @@ TEST(WorkspaceMapping, MetresBecomeMillimetres)
 
 TEST(WorkspaceMapping, ByHand)
 {
-  // A quarter turn about z takes x to y; then twice the size; then a translation.
+  // A quarter turn about z maps x to y. Then follow a scale of 2 and a translation.
   Matrix3d quarter;
   quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   const WorkspaceMapping mapping(quarter, Vector3d(10, 20, 30), 2.0);
@@ -96,13 +96,14 @@ TEST(WorkspaceMapping, VelocityIsTheRateOfThePosition)
     const Vector3d velocity = randomPoint(random, 1.0);
     const double step = 0.125; // s; the mapping is linear, so any step is valid
     const Vector3d rate = (each.toBody(from + step * velocity) - each.toBody(from)) / step;
-    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10); // 1e-16 of 300 mm, over step
+    // Relative rounding 1e-16 of 300 mm, divided by step.
+    EXPECT_LE((each.velocityToBody(velocity) - rate).norm(), 1e-10);
   }
 }
 
 TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 {
-  // A spring of the body, K = 2 N/mm along y, is moved by the device: dF/dx in the device's frame.
+  // The device moves a spring of the body, K = 2 N/mm along y: dF/dx in the device's frame.
   std::mt19937 random(4);
   for (const double scale : { 0.2, 1.0, 3.0 })
   {
@@ -113,7 +114,8 @@ TEST(WorkspaceMapping, StiffnessIsFeltScaled)
     const double step = 0.01; // m
     const double felt =
       (springForce(Vector3d::Zero()) - springForce(step * along)).dot(along) / step;
-    EXPECT_NEAR(mapping.stiffnessToDevice(2.0), felt, 1e-9 * felt); // 1e-16 of 200 N over 10 mm
+    // Relative rounding 1e-16 of 200 N over 10 mm.
+    EXPECT_NEAR(mapping.stiffnessToDevice(2.0), felt, 1e-9 * felt);
     EXPECT_DOUBLE_EQ(mapping.stiffnessToDevice(2.0), 2000.0 * scale);
     EXPECT_DOUBLE_EQ(mapping.lengthToDevice(1000.0 * scale), 1.0);
     EXPECT_LE((mapping.forceToBody(along) - Vector3d::UnitY()).norm(), 1e-15);
@@ -122,12 +124,13 @@ TEST(WorkspaceMapping, StiffnessIsFeltScaled)
 
 TEST(WorkspaceMapping, PlanarDevicesMoveInAPlaneOfTheBody)
 {
-  // The device's x is along the body's y, its y along the body's z: the plane x = 7.
+  // The device's x is along the body's y, and its y along the body's z: the plane x = 7.
   const WorkspaceMapping mapping =
     WorkspaceMapping::inPlane(Vector3d(7, 1, 2), Vector3d::UnitY(), Vector3d::UnitZ(), 2.0);
   EXPECT_TRUE(mapping.isPlanar());
   EXPECT_FALSE(mapping.fault());
-  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42)); // for any z
+  // The z of the device has no effect.
+  EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, 0.5)), Vector3d(7, 21, 42));
   EXPECT_EQ(mapping.toBody(Vector3d(0.01, 0.02, std::nan(""))), Vector3d(7, 21, 42));
   EXPECT_EQ(mapping.toDevice(Vector3d(-50, 21, 42)), Vector3d(0.01, 0.02, 0));
   EXPECT_EQ(mapping.velocityToBody(Vector3d(0.5, 0.25, 9)), Vector3d(0, 1000, 500));
@@ -153,8 +156,8 @@ TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
         (planar ? turned.planar() : turned).fitted(lower, upper, workspace, margin);
       ASSERT_FALSE(mapping.fault());
       EXPECT_EQ(mapping.rotation(), turned.rotation());
-      // By brute force: all corners, moved outward by the margin along the axes of the device, are
-      // in the workspace, and the farthest is at its border.
+      // Check by enumeration: all corners, moved outward by the margin along the axes of the
+      // device, are in the workspace, and the farthest corner is at its border.
       double farthest = 0.0;
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -167,7 +170,7 @@ TEST(WorkspaceMapping, FitsABodyIntoTheWorkspace)
           farthest = std::max(farthest, out[axis] / workspace[axis]);
         }
       }
-      EXPECT_NEAR(farthest, 1.0, 1e-12); // 1e-16 of 250 mm in 6 mm
+      EXPECT_NEAR(farthest, 1.0, 1e-12); // relative rounding 1e-16 of 250 mm in 6 mm
       EXPECT_LE((mapping.toBody(Vector3d::Zero()) - 0.5 * (lower + upper)).norm(), 1e-13);
     }
   }
@@ -184,7 +187,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   mirror(2, 2) = -1.0; // a device with left-handed axes
   EXPECT_FALSE(WorkspaceMapping(mirror, origin, 1.0).fault());
   Matrix3d typed;
-  typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // seven digits
+  typed << 0.7071068, -0.7071068, 0, 0.7071068, 0.7071068, 0, 0, 0, 1; // rounded to seven digits
   EXPECT_FALSE(WorkspaceMapping(typed, origin, 1.0).fault());
 
   Matrix3d skew = unit;
@@ -202,7 +205,7 @@ TEST(WorkspaceMapping, FaultsAreNamed)
   {
     EXPECT_EQ(WorkspaceMapping(unit, origin, wrong).fault().name, "Scale") << wrong;
   }
-  // Axes of a plane that are not at right angles; a box with wrong bounds; no workspace; no margin.
+  // Axes of a plane that are not perpendicular; a box with wrong bounds; no workspace; no margin.
   EXPECT_EQ(
     WorkspaceMapping::inPlane(origin, Vector3d::UnitX(), Vector3d(1, 1, 0).normalized(), 1.0)
       .fault()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body, and a trajectory over it that brings about every event of a contact.
+// A body, and a trajectory over it in which every event of a contact occurs.
 #ifndef palpate_testing_EventfulPath_h
 #define palpate_testing_EventfulPath_h
 
@@ -15,11 +15,11 @@ namespace palpate::testing
 {
 constexpr double Rate = 1000.0;    // Hz
 constexpr double Duration = 2.5;   // s
-constexpr double Radius = 20.0;    // mm, of the body
-constexpr double Range = 1.0;      // mm, of the responses
+constexpr double Radius = 20.0;    // mm; radius of the body
+constexpr double Range = 1.0;      // mm; range of the responses
 constexpr double BorderAt = -12.0; // mm, z of the opening
 
-/// The triangles whose first corner is above a height, and their points.
+/// Returns the triangles whose first corner is above a height, with their points.
 inline Body above(vtkPolyData* whole, double height)
 {
   vtkNew<vtkPoints> points;
@@ -49,7 +49,7 @@ inline Body above(vtkPolyData* whole, double height)
   return kept;
 }
 
-/// A bumpy ball without its bottom. Modulus and normals are different at each point.
+/// A bumpy ball without its bottom. Modulus and normals differ from point to point.
 inline Body openBall()
 {
   Body whole = sphereBody(Radius, 4);
@@ -74,8 +74,8 @@ inline Body openBall()
   return body;
 }
 
-/// Path of the hand, mm: along z to the border and over it, back and forth around the axis, in and
-/// out of the body.
+/// Path of the hand, mm: along z to the border and over it, back and forth around the axis, into
+/// the body and out.
 inline Body handPath()
 {
   auto path = Body::New();
@@ -99,7 +99,7 @@ inline Body handPath()
   return path;
 }
 
-/// The samples of the simulated device on that path, tick by tick.
+/// Returns the samples of the simulated device on this path, tick by tick.
 inline std::vector<palpate::DeviceSample> samplesOf(vtkPolyData* path)
 {
   const palpate::WorkspaceMapping mapping;

@@ -35,7 +35,7 @@ inline std::vector<Row> rowsOf(vtkPlot* plot)
   return rows;
 }
 
-/// The rows of a plot that are drawn.
+/// The visible rows of a plot, without gaps.
 inline std::vector<Row> pointsOf(vtkPlot* plot)
 {
   std::vector<Row> points;
@@ -64,7 +64,7 @@ inline vtkPlot* plotOf(vtkChartXY* chart, const std::string& label)
   return chart->GetPlot(0);
 }
 
-/// A curve consists of the plot with this label and the dotted plot after it.
+/// The points of a curve, which consists of the plot with this label and the dotted plot after it.
 inline std::vector<Row> curveOf(vtkChartXY* chart, const std::string& label)
 {
   vtkPlot* solid = plotOf(chart, label);
@@ -92,7 +92,7 @@ inline Body timedPath(std::initializer_list<std::array<double, 4>> way)
   return path;
 }
 
-/// On a plane z = 0: `depth` mm deep at 0.8 s, then 6 mm along y, outside again from 2.4 s on.
+/// On a plane z = 0: `depth` mm deep at 0.8 s, then 6 mm along y, outside again at 2.4 s.
 inline Body pressAndSlide(double depth)
 {
   return timedPath({ { 0.3, 0.2, 1.0, 0.0 }, { 0.3, 0.2, 0.0, 0.4 }, { 0.3, 0.2, -depth, 0.8 },
@@ -100,8 +100,8 @@ inline Body pressAndSlide(double depth)
     { 0.4, 6.2, 1.0, 3.2 } });
 }
 
-/// The body with the response of a tool. The modulus differs from point to point, 1 to 5 MPa;
-/// ν = 0.
+/// Returns the body with the response of a tool. The modulus differs from point to point, 1 to 5
+/// MPa; ν = 0.
 inline Body unevenResponse(vtkPolyData* body, const std::string& tool)
 {
   const auto modulus = [](vtkIdType i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A live chart in a window, for a session that presses and slides.
+// A window with a live chart of a session that presses and slides.
 #ifndef palpate_testing_LiveChartPicture_h
 #define palpate_testing_LiveChartPicture_h
 
@@ -11,7 +11,7 @@
 namespace palpate::testing
 {
 /// A sphere is pressed 1.2 mm into a plane of varying modulus and slides with friction. The device
-/// gives at most 10 N.
+/// is limited to 10 N.
 inline vtkSmartPointer<vtkHapticSession> slidingSession()
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -22,7 +22,7 @@ inline vtkSmartPointer<vtkHapticSession> slidingSession()
   return session;
 }
 
-/// A window as large as one chart in a live window.
+/// A window with the size of one chart in a live window.
 struct LiveChartPicture : Picture
 {
   enum Chart

@@ -13,8 +13,8 @@
 
 namespace palpate::testing
 {
-constexpr double SlabPress = 5.0;  // mm deep, in as many seconds
-constexpr double SlabAbove = 0.25; // mm above the surface, at the begin and the end
+constexpr double SlabPress = 5.0;  // mm deep, at 1 mm/s
+constexpr double SlabAbove = 0.25; // mm above the surface, at the beginning and the end
 constexpr double SlabDuration = 2.0 * (SlabPress + SlabAbove);
 
 /// A slab 10 mm thick, bonded, incompressible.
@@ -44,13 +44,13 @@ inline vtkSmartPointer<vtkHapticSession> slabSession(vtkPolyData* slab)
   return session;
 }
 
-/// Values of a loop: a press and the way back, given as rows of deflection and force in order of
-/// time.
+/// Values of a loop. The loop is a press and its return, given as rows of deflection and force in
+/// order of time.
 struct Loop
 {
   double peak = 0.0; ///< N
-  double work = 0.0; ///< work of the way in, N mm
-  double loss = 0.0; ///< part of the work that is lost, N mm
+  double work = 0.0; ///< work on the way in, N mm
+  double loss = 0.0; ///< energy loss, N mm
   double end = 0.0;  ///< deflection at which contact ends, mm
 
   explicit Loop(const std::vector<Row>& rows)

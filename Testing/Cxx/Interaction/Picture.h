@@ -25,23 +25,24 @@ namespace palpate::testing
 {
 /**
  * Difference in grey levels, summed over red, green and blue, that is ignored between a pixel and
- * the pixels around it in the other picture. vtkTesting ignores 105. That hides all that is
- * translucent: a tool in another direction then makes no difference.
+ * the pixels around it in the other picture. vtkTesting ignores 105, which would hide differences
+ * of translucent parts, such as a tool in another direction.
  */
 constexpr int ForgivenLevels = 10;
 
 /**
- * The largest difference from a baseline that passes: the sum over all pixels, in units of a full
+ * The largest allowed difference from a baseline: the sum over all pixels, in units of a fully
  * white pixel.
  *
- * The same code gives the same pixels in every run and for any number of threads. By this measure,
- * another rasteriser (Mesa's softpipe) makes no difference either, except for the bar of the
- * legend, which it does not draw. The smallest fault that the tests put into their scenes gives a
+ * The same code gives the same pixels in every run and for any number of threads. With this
+ * measure, another rasteriser (Mesa's softpipe) makes no difference either, except for the bar of
+ * the legend, which it does not draw. The smallest fault that the tests add to their scenes gives a
  * difference of 17; checkFaultShows requires 10.
  */
 constexpr double PictureThreshold = 5.0;
 
-/// An off-screen window of fixed size without multisampling: the same pixels on every run.
+/// An off-screen window of fixed size without multisampling, so that the pixels are the same in
+/// every run.
 struct Picture
 {
   vtkNew<vtkRenderWindow> window;
@@ -80,8 +81,8 @@ inline void writePicture(vtkImageData* picture, const std::string& file)
   writer->Write();
 }
 
-/// Difference of two pictures, in the unit of PictureThreshold. The difference image is written to
-/// `file`, unless that is empty.
+/// Returns the difference of two pictures, in units of PictureThreshold. Writes the difference
+/// image to `file`, unless `file` is empty.
 inline double difference(vtkImageData* one, vtkImageData* other, const std::string& file = "")
 {
   if (!std::equal(one->GetDimensions(), one->GetDimensions() + 3, other->GetDimensions()))
@@ -100,9 +101,9 @@ inline double difference(vtkImageData* one, vtkImageData* other, const std::stri
   return compare->GetThresholdedError();
 }
 
-/// Compares with the baseline of the command line (-V FILE). Writes the picture into the folder of
-/// -T FOLDER under the name of the baseline, to be examined and copied; if they differ, also the
-/// difference image.
+/// Compares with the baseline that the command line names (-V FILE). Writes the picture into the
+/// folder of -T FOLDER under the name of the baseline, so that it can be examined and copied. If
+/// the pictures differ, also writes the difference image.
 inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
 {
   vtkNew<vtkTesting> arguments;
@@ -113,7 +114,7 @@ inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
   writePicture(picture, (folder / baseline.filename()).string());
   const bool exists = std::filesystem::exists(baseline);
   double found = std::numeric_limits<double>::infinity();
-  // X_1.png next to X.png is the same picture as drawn by another version of VTK.
+  // X_1.png next to X.png is the same picture, drawn by another version of VTK.
   for (const char* variant : { "", "_1" })
   {
     const std::string stem = baseline.stem().string() + variant;
@@ -133,8 +134,8 @@ inline void checkBaseline(vtkRenderWindow* window, int argc, char* argv[])
   PALPATE_CHECK(found <= PictureThreshold);
 }
 
-/// A scene with a fault must differ from the correct scene, with a margin of two. Prints the
-/// difference.
+/// Checks that a scene with a fault differs from the correct scene by twice the threshold. Prints
+/// the difference.
 inline void checkFaultShows(const std::string& fault, vtkImageData* sound, vtkRenderWindow* window)
 {
   const double found = difference(sound, draw(window));

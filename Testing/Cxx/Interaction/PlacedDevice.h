@@ -15,7 +15,7 @@
 
 namespace palpate::testing
 {
-/// A hand at a prescribed position, unless it is lost.
+/// A device whose position is prescribed. It can be lost.
 class PlacedDevice final : public palpate::HapticDevice
 {
 public:
@@ -43,14 +43,14 @@ public:
 
   std::atomic<double> Height{ 2e-3 }; ///< m
   std::atomic<bool> Lost{ false };
-  std::atomic<double> Force{ 0.0 }; ///< N, the last one written
+  std::atomic<double> Force{ 0.0 }; ///< last written force, N
 
 private:
   palpate::DeviceSpecification Limits;
 };
 
-/// A plane z = 0 of the paper's rubber, with the responses of three tools: Flat, Sphere, and a
-/// Small sphere.
+/// A plane z = 0 of the paper's rubber, with the responses of three tools: Flat, Sphere, and Small
+/// (a small sphere).
 inline Body threeTools()
 {
   Body body = planeBody(20.0, 20);
@@ -101,8 +101,8 @@ inline PlacedDevice* pressed(
   auto owned = std::make_unique<PlacedDevice>(specification);
   PlacedDevice* device = owned.get();
   session->GetDevice()->Use(std::move(owned));
-  session->GetSafety()->PassivityControlOff(); // the position of the device is prescribed: no loop
-                                               // is closed
+  // The position of the device is prescribed, so no loop is closed.
+  session->GetSafety()->PassivityControlOff();
   PALPATE_CHECK(session->Start());
   session->Step(0.01);
   device->Height = -1e-3;

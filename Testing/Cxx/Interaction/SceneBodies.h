@@ -27,7 +27,7 @@ inline Body bumpySphere()
   return body;
 }
 
-/// A tube along x, radius and length in mm, with points about 1 mm apart and exact normals.
+/// A tube along x with points about 1 mm apart and exact normals; radius and length in mm.
 inline Body tubeBody(double radius, double length)
 {
   const int around = static_cast<int>(std::lround(2.0 * vtkMath::Pi() * radius));
@@ -64,7 +64,8 @@ inline Body tubeBody(double radius, double length)
   return body;
 }
 
-/// A path that presses at the first direction, seen from the origin, and slides to the second.
+/// A path that presses at the surface in direction `from`, as seen from the origin, and slides to
+/// direction `to`.
 inline Body slidePath(
   vtkPolyData* body, const double (&from)[3], const double (&to)[3], double depth)
 {

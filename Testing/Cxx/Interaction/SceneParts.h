@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of a scene, measured on the drawn geometry, not taken from the settings.
+// Values of a scene that are measured on the drawn geometry, not taken from the settings.
 #ifndef palpate_testing_SceneParts_h
 #define palpate_testing_SceneParts_h
 
@@ -30,7 +30,8 @@ struct Extent
   double aside = 0.0; ///< largest distance from the line through `origin`
 };
 
-/// Extent of the drawn points of `actor`, seen from `origin` along the unit vector `direction`.
+/// Returns the extent of the drawn points of `actor`, relative to `origin`, along the unit vector
+/// `direction`.
 inline Extent extentAlong(vtkActor* actor, const double origin[3], const double direction[3])
 {
   actor->GetMapper()->Update();
@@ -51,7 +52,7 @@ inline Extent extentAlong(vtkActor* actor, const double origin[3], const double 
   return extent;
 }
 
-/// The parts of a tool representation, in the order of assembly.
+/// The parts of a tool representation, in the order in which they were added.
 struct ToolParts
 {
   vtkActor* tool;
@@ -66,7 +67,7 @@ struct ToolParts
   }
 };
 
-/// All arrows of a tool representation with their labels, in the order of assembly.
+/// All arrows of a tool representation with their labels, in the order in which they were added.
 struct ForceParts
 {
   vtkActor *total, *normal, *friction, *applied;
@@ -104,7 +105,7 @@ struct ScaleParts
   }
 };
 
-/// True if a box in world coordinates is completely inside the picture.
+/// Returns true if a box in world coordinates is completely inside the picture.
 inline bool isInPicture(vtkRenderer* renderer, const double bounds[6])
 {
   for (int corner = 0; corner < 8; ++corner)

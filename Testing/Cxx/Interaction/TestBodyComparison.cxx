@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two plates of the same material, one with a global compliance: the results compared with the
-// closed forms of the series model, and the drawing.
+// Two plates of the same material, one of which has a global compliance. The results are compared
+// with the closed forms of the series model. The drawing is also tested.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -23,7 +23,7 @@ namespace
 using namespace palpate::testing;
 
 constexpr double Modulus = 3.45;    // E*, MPa, with ν = 0
-constexpr double Compliance = 10.0; // mm/N, of the left body
+constexpr double Compliance = 10.0; // compliance of the left body, mm/N
 constexpr double Depth = 1.0;
 constexpr double Range = 1.5;
 constexpr int Left = vtkBodyComparison::Left;
@@ -50,7 +50,7 @@ double halfSpaceForce(int tool, double depth)
                       : 4.0 / 3.0 * Modulus * std::sqrt(size) * std::pow(depth, 1.5);
 }
 
-/// The force in series with a compliance, by bisection of the local depth.
+/// Returns the force in series with a compliance, by bisection of the local depth.
 double seriesForce(int tool, double depth, double compliance)
 {
   double low = 0.0;
@@ -69,7 +69,7 @@ double seriesSensitivity(int tool, double index)
   return isFlat(tool) ? 1.0 - index : (1.0 - index) / (2.0 + index);
 }
 
-/// The square with the responses of all tools; points 1 mm apart.
+/// A square with the responses of all tools; points 1 mm apart.
 Body makeBody(double compliance)
 {
   Body body = planeBody(20.0, 40);
@@ -108,11 +108,11 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
   {
     const double force = seriesForce(tool, depth, compliance);
     const double index = compliance * force / depth;
-    // The response is stored in eight samples: up to 0.5 % error in series, see the manual,
-    // Reference/times.md.
+    // The response is stored in eight samples, which gives an error of up to 0.5 % in series. See
+    // the manual, Reference/times.md.
     PALPATE_CHECK_NEAR(comparison->GetForce(side, tool), force, 0.005 * force);
-    // Not computed from the stored curves. The tolerance is for float arrays and a central
-    // difference with an error of 2e-5.
+    // Index and sensitivity are not computed from the stored curves. The tolerance is for float
+    // arrays and a central difference with an error of 2e-5.
     PALPATE_CHECK_NEAR(comparison->GetRegimeIndex(side, tool), index, 1e-5);
     PALPATE_CHECK_NEAR(
       comparison->GetToolSensitivity(side, tool), seriesSensitivity(tool, index), 5e-5);
@@ -121,7 +121,8 @@ void checkSide(vtkBodyComparison* comparison, int side, double compliance, doubl
     sum += force;
   }
   const double spread = 3.0 * (largest - least) / sum;
-  PALPATE_CHECK_NEAR(comparison->GetForceSpread(side), spread, 0.006); // of the stored forces
+  // Tolerance for the stored forces.
+  PALPATE_CHECK_NEAR(comparison->GetForceSpread(side), spread, 0.006);
 }
 
 /// Depth at which the verdict for a paraboloid changes from mixed to "a point force suffices". It
@@ -134,29 +135,29 @@ double pointForceFrom(double size, double compliance)
   return std::pow(index / (compliance * k * std::pow(1.0 - index, 1.5)), 2.0);
 }
 
-/// The verdicts follow from the largest sensitivity. Their range of depths ends where this
-/// sensitivity passes the bound.
+/// The verdicts follow from the largest sensitivity. The range of depths of a verdict ends where
+/// this sensitivity crosses the bound.
 void checkVerdicts(vtkBodyComparison* comparison)
 {
   double range[2];
   PALPATE_CHECK(comparison->GetVerdict(Right) == 0);
   comparison->GetVerdictRange(Right, range);
   PALPATE_CHECK_NEAR(range[0], 0.0, 1e-12);
-  PALPATE_CHECK_NEAR(range[1], Range, 1e-6); // float
+  PALPATE_CHECK_NEAR(range[1], Range, 1e-6); // rounding of floats
   PALPATE_CHECK_TEXT(comparison->GetStatement(Right), "The shape of the tool matters.",
     "At 1.00 mm", "size sensitivity 0.50 to 1.00");
 
   PALPATE_CHECK(comparison->GetVerdict(Left) == 2);
   comparison->GetVerdictRange(Left, range);
-  // The smallest paraboloid is the last for which a point force suffices. Depths are judged every
-  // 1/160 of √Range.
+  // The smallest paraboloid is the last tool for which a point force suffices. Verdicts are
+  // computed at intervals of 1/160 of √Range.
   const double from = pointForceFrom(1.6, Compliance);
   PALPATE_CHECK(from > 0.05 && from < Depth); // otherwise nothing is tested
   PALPATE_CHECK(range[0] >= from && range[0] <= from + 2.0 * std::sqrt(from * Range) / 100.0);
   PALPATE_CHECK_NEAR(range[1], Range, 1e-6);
   PALPATE_CHECK_TEXT(comparison->GetStatement(Left), "A point force suffices", "The same from");
 
-  // A depth at which a point force does not suffice yet.
+  // A depth at which a point force does not yet suffice.
   comparison->SetDeflection(0.8 * from);
   PALPATE_CHECK(comparison->ShowPlace(0.0, 0.0, 0.0));
   PALPATE_CHECK(comparison->GetVerdict(Left) == 1);
@@ -165,7 +166,8 @@ void checkVerdicts(vtkBodyComparison* comparison)
   comparison->SetDeflection(Depth);
 }
 
-/// Validity by strain, for the smallest paraboloid (a/R = 0.4: δ = 0.16 R) on the half-space.
+/// Checks the validity by strain, for the smallest paraboloid (a/R = 0.4: δ = 0.16 R) on the
+/// half-space.
 void checkValidity(vtkBodyComparison* comparison)
 {
   PALPATE_CHECK_NEAR(comparison->GetValidity(Right), 0.16 * 1.6, 1e-6);

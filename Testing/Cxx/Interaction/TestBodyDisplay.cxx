@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of a scene drawn by shader. It shows each setting, whenever it is set, as the filter
-// does. Tests also its bounds, two scenes at once, edges and anti-aliasing, and the picture of a
-// dent.
+// The body of a scene that is drawn by shader. Each setting has the same effect as with the filter,
+// whenever it is set. Also tested: bounds, two scenes at once, edges and anti-aliasing, and the
+// picture of a dent.
 #include "TwoPaths.h"
 
 #include "vtkDoubleArray.h"
@@ -14,7 +14,7 @@ using palpate::Vector3;
 
 constexpr double Depth = 1.5;
 constexpr double Rim = 24.0;  // mm, half the side of the box
-constexpr double Color = 4.0; // reason: see TestDeflectionShader.cxx
+constexpr double Color = 4.0; // see TestDeflectionShader.cxx for the reason
 
 /// A box with points 0.6 mm apart.
 Body box(const std::string& tool)
@@ -37,7 +37,7 @@ void showAt(vtkContactScene* scene, vtkPolyData* body, double x, double y)
   scene->ShowTip(probed(body, singleTip(x, y, 8.0 - Depth)), 0);
 }
 
-/// Neither colours without light nor depths may differ.
+/// Checks that neither the colours without light nor the depths differ.
 void checkSame(TwoPaths& paths, const std::string& after)
 {
   const Deviation color(paths.colors(true, false), paths.colors(false, false), Color);
@@ -47,7 +47,7 @@ void checkSame(TwoPaths& paths, const std::string& after)
   PALPATE_CHECK(color.share < 0.002 && depth.share < 0.002);
 }
 
-/// A setting between two frames shows in the next frame, by shader as by filter.
+/// A setting between two frames takes effect in the next frame, both by shader and by filter.
 void checkSettings()
 {
   const Body body = box("sphere:6.35");
@@ -81,7 +81,7 @@ void checkSettings()
   scene->SetPoissonRatio(0.0);
   checkSame(paths, "Poisson's ratio");
   PALPATE_CHECK(Deviation(colors, paths.colors(true, false), Color).share > 0.001);
-  // The body moves. The scene notices it at the next contact.
+  // The points of the body move. The scene detects this at the next contact.
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
     double x[3];
@@ -100,7 +100,8 @@ void checkSettings()
   PALPATE_CHECK(*std::max_element(flat.begin(), flat.end()) < 255);
 }
 
-/// With other responses of the same surface, nothing is made or sent to the graphics card again.
+/// With other responses of the same surface, no data are computed or sent to the graphics card
+/// again.
 void checkSameSurface()
 {
   const Body body = withResponse(planeBody(20.0, 40), "sphere:6.35");
@@ -132,7 +133,7 @@ void checkBounds()
   PALPATE_CHECK_NEAR(scene->GetBodyActor()->GetBounds()[4], 0.0, 1e-6);
 }
 
-/// Two scenes in one window use one program, and each has its own dent.
+/// Two scenes in one window use one shader program, and each has its own dent.
 void checkTwoScenes()
 {
   const Body body = box("sphere:6.35");
@@ -150,7 +151,7 @@ void checkTwoScenes()
   PALPATE_CHECK(Deviation(one, other).largest > 0.5 * Depth);
   TwoPaths both(left, Vector3(0.0, 0.0, 8.0), Vector3(0.2, -0.3, 1.0), 20.0);
   vtkNew<vtkRenderer> beside;
-  beside->SetViewport(0.0, 0.0, 0.01, 0.01); // drawn, but out of the way
+  beside->SetViewport(0.0, 0.0, 0.01, 0.01); // drawn, but outside the compared picture
   beside->AddActor(right->GetBodyActor());
   both.window()->AddRenderer(beside);
   both.depths(true);
@@ -167,7 +168,7 @@ void checkEdges()
   TwoPaths paths(scene, Vector3(3.0, -4.0, 8.0), Vector3(0.5, -0.6, 1.0), 8.0);
   scene->GetBodyActor()->GetProperty()->EdgeVisibilityOn();
   paths.renderer()->UseFXAAOn();
-  // A line may be one pixel off: the measure for pictures ignores that.
+  // A line may be one pixel off, which the measure for pictures ignores.
   const auto shader = paths.picture(true);
   PALPATE_CHECK(difference(shader, paths.picture(false)) < PictureThreshold);
   scene->GetBodyActor()->GetProperty()->EdgeVisibilityOff();

@@ -31,7 +31,7 @@ using namespace palpate::testing;
 constexpr double Depth = 1.0; // mm
 constexpr double Poisson = 0.4;
 
-/// A body under a sphere, in a window with the panel at its right.
+/// A body under a sphere, in a window with the panel on the right.
 struct Window
 {
   Picture picture{ 1000, 760 };
@@ -140,7 +140,7 @@ struct Window
       this->panel->Update();
     }
     this->panel->Update();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // time for the force to change over
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // time for the ramp of the force
     const vtkIdType ticks = this->session->GetNumberOfTicks();
     for (int i = 0; i < 20000 && this->session->GetNumberOfTicks() < ticks + 60; ++i)
     {
@@ -211,8 +211,8 @@ void checkModel(Window& w)
 {
   w.press("Layer");
   PALPATE_CHECK(w.setup->GetModel() == vtkContactSetup::Layer);
-  PALPATE_CHECK(w.force() > 1.01 * w.expected()); // a rigid base at a small depth increases the
-                                                  // stiffness
+  // A rigid base at a small depth increases the stiffness.
+  PALPATE_CHECK(w.force() > 1.01 * w.expected());
   w.press("Half-space");
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   // A program may also change the setup: the panel requests the responses, and shows the value.
@@ -221,7 +221,7 @@ void checkModel(Window& w)
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, Storage);
   int handle[2];
   PALPATE_CHECK(w.panel->FindSlider("Young's modulus", 0.4, handle));
-  w.send(vtkCommand::LeftButtonPressEvent, handle); // pressed where it is: at most a pixel away
+  w.send(vtkCommand::LeftButtonPressEvent, handle); // pressed at its position; at most a pixel away
   w.send(vtkCommand::LeftButtonReleaseEvent, handle);
   PALPATE_CHECK_NEAR(w.setup->GetYoungsModulus(), 0.4, 0.02);
   w.settle();
@@ -237,7 +237,8 @@ void checkRelaxation(Window& w)
   PALPATE_CHECK_NEAR(w.setup->GetRelaxationStrength(0), 1.0, 0.05);
   w.drag("Relaxation time", 1.0, 0.1);
   PALPATE_CHECK_NEAR(w.setup->GetRelaxationTime(0), 0.1, 0.01);
-  // After a long press the memory is zero. After a lift, half of another press is memory at first.
+  // After a long press the memory is zero. After a lift, half of the force of another press is
+  // initially memory.
   w.arrive();
   PALPATE_CHECK_NEAR(w.force() / w.expected(), 1.0, 0.01);
   const double above[3] = { 0.3, 0.2, 1.0 };
@@ -257,7 +258,7 @@ void checkRelaxation(Window& w)
   PALPATE_CHECK(!w.panel->FindSlider("Relaxation time", 0.1, nowhere));
 }
 
-/// The status that the panel shows: its text without line breaks, and its box in pixels.
+/// The status in the panel: its text without line breaks, and its box in pixels.
 std::string shownStatus(Window& w, double box[4])
 {
   vtkPropCollection* props = w.right->GetViewProps();
@@ -287,7 +288,7 @@ std::string shownStatus(Window& w, double box[4])
   return {};
 }
 
-/// A status that is longer than the panel is wide, with and without blanks, is shown whole.
+/// A status that is wider than the panel, with and without blanks, is shown completely.
 void checkWholeStatus(Window& w)
 {
   const auto folder = std::filesystem::current_path() / "TestContactPanel";

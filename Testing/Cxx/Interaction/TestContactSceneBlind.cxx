@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A blind scene looks the same for every contact: neither tool, force nor depth can be seen.
+// A blind scene has the same picture for every contact: tool, force and depth are not visible.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 
@@ -15,7 +15,8 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The picture of a tool pressed `depth` mm into the middle of a plane with a force of `force` N.
+/// Returns the picture of a tool that is pressed `depth` mm into the middle of a plane with a force
+/// of `force` N.
 vtkSmartPointer<vtkUnsignedCharArray> drawn(
   const char* tool, double depth, double force, bool blind, const char* remark = "X")
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dent in a plane, close up, at its true depth and exaggerated: the drawn displacement compared
-// with the half-space field of the tool, and the picture.
+// A close-up of the dent in a plane, at its true depth and exaggerated. The drawn displacement is
+// compared with the half-space field of the tool. The picture is compared with a baseline.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -18,7 +18,7 @@ constexpr double Depth = 1.5;
 constexpr double Poisson = 0.3;
 constexpr double Rounding = 2e-5; // mm: coordinates of 20 mm in floats
 
-/// Every point of the plane is moved by the field of the tool times the exaggeration.
+/// Checks that every point of the plane is moved by the field of the tool times the exaggeration.
 void checkDent(vtkContactScene* scene, vtkPolyData* body, vtkContactTool* tool, double exaggeration)
 {
   vtkMapper* mapper = scene->GetBodyActor()->GetMapper();
@@ -49,7 +49,7 @@ void checkDent(vtkContactScene* scene, vtkPolyData* body, vtkContactTool* tool, 
   PALPATE_CHECK_NEAR(range[1], Depth, Rounding);
 }
 
-/// Lightness decreases over the whole scale, so that it can be read in grey, too.
+/// The lightness decreases over the whole scale, so that the scale can also be read in grey.
 void checkColors(vtkScalarsToColors* colors)
 {
   double before = 2.0;
@@ -80,7 +80,7 @@ int TestContactSceneDeflection(int argc, char* argv[])
   scene->SetPoissonRatio(Poisson);
   scene->SetLargestForce(30.0);
   scene->SetLargestDeflection(Depth);
-  scene->SetDeflectionByShader(false); // the test needs the drawn geometry
+  scene->SetDeflectionByShader(false); // the test needs the displaced geometry of the filter
   PALPATE_CHECK(scene->GetExaggeration() == 1.0);
   PALPATE_CHECK(scene->ShowTip(tip, 0));
   checkDent(scene, body, tool, 1.0);

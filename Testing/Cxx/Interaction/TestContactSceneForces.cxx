@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The drawn forces of a tool that slides with friction beyond validity: arrows, applied force,
-// circle, trail and scale, each compared with its numbers; and the picture.
+// circle, trail and scale, each compared with the numbers. The picture is compared with a baseline.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -27,8 +27,8 @@ constexpr double Rounding = 1e-4; // mm: geometry in floats
 /// ln((R+a)/(R-a)).
 const double ValidDepth = 0.2 * Radius * std::log(1.4 / 0.6);
 
-/// Down to 1.5 mm, beyond ValidDepth, then 16 mm along x, probed with friction. The device applies
-/// a third of the force.
+/// A path down to 1.5 mm, beyond ValidDepth, and then 16 mm along x, probed with friction. The
+/// device applies a third of the force.
 Body slide(vtkPolyData* body)
 {
   vtkNew<vtkPoints> points;
@@ -64,7 +64,7 @@ Body slide(vtkPolyData* body)
   return felt;
 }
 
-/// Length of an arrow's axis that its shaft covers, without the head, mm.
+/// Length of an arrow's axis that is covered by its shaft, without the head, mm.
 double coveredBy(vtkActor* arrow, double neck)
 {
   arrow->GetMapper()->Update();
@@ -74,7 +74,7 @@ double coveredBy(vtkActor* arrow, double neck)
   {
     double bounds[6];
     drawn->GetCellBounds(i, bounds);
-    // Strips of the tube along x: the 32 strips of a dash have the same length.
+    // Strips of the tube along x. The 32 strips of a dash have the same length.
     covered += bounds[1] <= neck + Rounding ? (bounds[1] - bounds[0]) / 32.0 : 0.0;
   }
   return covered;
@@ -112,8 +112,8 @@ void checkForces(vtkContactScene* scene, vtkPolyData* tips, vtkIdType tip)
   checkArrow(parts.total, parts.totalLabel, contact, force, scale, "");
   checkArrow(parts.normal, parts.normalLabel, contact, normal, scale, "normal ");
   checkArrow(parts.friction, parts.frictionLabel, contact, rubbing, scale, "friction ");
-  // The applied force is 6 mm to the right of the ideal force, perpendicular to arrow and line of
-  // sight.
+  // The applied force is drawn 6 mm to the right of the ideal force, perpendicular to the arrow and
+  // the line of sight.
   double third[3] = { force[0] / 3.0, force[1] / 3.0, force[2] / 3.0 };
   double ahead[3];
   double right[3];
@@ -128,7 +128,7 @@ void checkForces(vtkContactScene* scene, vtkPolyData* tips, vtkIdType tip)
   checkArrow(parts.applied, parts.appliedLabel, from, third, scale, "applied ");
 }
 
-/// The circle has the contact radius of the tool, at the height where the sphere leaves the
+/// The circle has the contact radius of the tool, at the height at which the sphere leaves the
 /// surface.
 void checkCircle(vtkContactScene* scene, const double contact[3], double depth)
 {
@@ -144,8 +144,8 @@ void checkCircle(vtkContactScene* scene, const double contact[3], double depth)
   PALPATE_CHECK_NEAR(circle.high - circle.low, 2.0 * line, 1e-3);
 }
 
-/// The force along the trail is the force of the tips, and its legend has the same newtons. The
-/// trail is dashed where the tool is deeper than validity.
+/// The force along the trail is the force at the tips, and the legend uses the same unit. The trail
+/// is dashed where the tool is deeper than the validity.
 void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
 {
   vtkMapper* mapper = scene->GetTrailActor()->GetMapper();
@@ -156,11 +156,11 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
     scene->GetTrailActor()->GetVisibility() && scene->GetTrailLegend()->GetVisibility());
   PALPATE_CHECK(mapper->GetLookupTable() == scene->GetTrailLegend()->GetLookupTable());
   double* range = mapper->GetLookupTable()->GetRange();
-  PALPATE_CHECK(range[0] == 0.0 && range[1] == 30.0); // 25 N: the next larger of 10, 20, 30, 40,
-                                                      // 60, 80
+  // 25 N is rounded up to the next of 10, 20, 30, 40, 60, 80
+  PALPATE_CHECK(range[0] == 0.0 && range[1] == 30.0);
   vtkDataArray* force = tips->GetPointData()->GetArray("Force");
   vtkDataArray* deflection = tips->GetPointData()->GetArray("Deflection");
-  std::vector<bool> covered(161, false); // each tenth of a millimetre
+  std::vector<bool> covered(161, false); // one element per tenth of a millimetre
   for (vtkIdType i = 0; i < drawn->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -171,7 +171,7 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
     const double share = position - static_cast<double>(left);
     const double expected = (1.0 - share) * vtkMath::Norm(force->GetTuple3(left)) +
       share * vtkMath::Norm(force->GetTuple3(left + 1));
-    PALPATE_CHECK_NEAR(colored->GetTuple1(i), expected, 0.01); // N: linear between tips
+    PALPATE_CHECK_NEAR(colored->GetTuple1(i), expected, 0.01); // N; linear between tips
   }
   for (vtkIdType i = 0; i < drawn->GetNumberOfCells(); ++i)
   {
@@ -188,8 +188,8 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   int gaps = 0;
   for (std::size_t k = 5; k < covered.size(); ++k)
   {
-    const auto next = static_cast<vtkIdType>((k + 3) / 4); // the tip at the end of the piece of the
-                                                           // trail
+    // The tip at the end of this piece of the trail.
+    const auto next = static_cast<vtkIdType>((k + 3) / 4);
     if (deflection->GetTuple1(next) <= ValidDepth)
     {
       PALPATE_CHECK(covered[k]);
@@ -206,8 +206,8 @@ void checkTrail(vtkContactScene* scene, vtkPolyData* tips)
   PALPATE_CHECK_TEXT(scene->GetTrailLegend()->GetTitle(), "Force (N)\ndashed: beyond validity");
 }
 
-/// The arrow in the corner has the length, in pixels, of an arrow of its force at the contact, seen
-/// from the side.
+/// The arrow in the corner has the same length, in pixels, as an arrow of this force at the
+/// contact, seen from the side.
 void checkScale(vtkContactScene* scene, const double contact[3], double newtons)
 {
   vtkRenderer* renderer = scene->GetRenderer();
@@ -228,7 +228,8 @@ void checkScale(vtkContactScene* scene, const double contact[3], double newtons)
   PALPATE_CHECK_NEAR(bounds[1] - bounds[0], pixels, 0.01);
 }
 
-/// Validity is that of the weakest corner of the triangle in contact. The caption names its limit.
+/// The validity is the smallest validity of the corners of the contact triangle. The caption names
+/// its limit.
 void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
 {
   const char* const names[] = { "(strain)", "(curvature of the body)", "(layer thickness)",
@@ -251,7 +252,8 @@ void checkLimits(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, v
   scene->SetBody(body);
 }
 
-/// If the response has an error array, the force has the error of the worst corner.
+/// If the response has an error array, the force has the error of the corner with the largest
+/// error.
 void checkError(vtkContactScene* scene, vtkPolyData* body, vtkPolyData* tips, vtkIdType tip)
 {
   vtkNew<vtkPolyData> other;
@@ -304,7 +306,8 @@ int TestContactSceneForces(int argc, char* argv[])
   checkCircle(scene, contact, 1.5);
   checkTrail(scene, tips);
   checkScale(scene, contact, 10.0);
-  PALPATE_CHECK_NEAR(scene->GetValidity(), ValidDepth, 1e-4); // stored as float, at R in doubles
+  // Stored as float; the radius is in double precision.
+  PALPATE_CHECK_NEAR(scene->GetValidity(), ValidDepth, 1e-4);
   PALPATE_CHECK(!scene->IsValid());
   PALPATE_CHECK_TEXT(caption(renderer), "Deflection 1.50 mm, contact radius 2.9", "normal 20.",
     ", friction 8.", "\nApplied 7.", "beyond validity", "1.08 mm deep (strain)");
@@ -315,7 +318,7 @@ int TestContactSceneForces(int argc, char* argv[])
   scene->ShowTip(tips, last);
   checkSound(sound, picture.window);
 
-  // Dashed: the shaft covers 3.2 of each 5 mm. Solid within validity.
+  // The arrow is dashed: the shaft covers 3.2 of each 5 mm. Within validity it is solid.
   const ForceParts parts(scene->GetToolRepresentation());
   const double length = vtkMath::Norm(tips->GetPointData()->GetArray("Force")->GetTuple3(last));
   const double neck = length - 6.0;
@@ -327,7 +330,7 @@ int TestContactSceneForces(int argc, char* argv[])
   const double force = vtkMath::Norm(tips->GetPointData()->GetArray("Force")->GetTuple3(5));
   PALPATE_CHECK_NEAR(coveredBy(parts.total, 0.6 * force), 0.6 * force, 1e-3);
 
-  // Each part can be switched off, and the picture then differs.
+  // Each part can be switched off, and then the picture differs.
   const auto without = [&](const char* what, const auto& set)
   {
     set(false);

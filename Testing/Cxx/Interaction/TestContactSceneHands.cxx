@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grip: two fingers pinch a strip that is held at one end. As the strip bends, each finger
-// changes the force on the other. Both tools, arrows, dents and circles are drawn, and the caption
-// has a line for each hand.
+// Two fingers pinch a strip that is held at one end. Because the strip bends, each finger changes
+// the force on the other. Both tools, arrows, dents and circles are drawn, and the caption has a
+// line for each hand.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -23,7 +23,8 @@ constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 constexpr double Half = 3.0; // half of the strip's thickness, mm
 constexpr double Depth = 0.5;
 
-/// A strip 24 mm long, 12 mm wide, held at its left end. A single finger bends it by millimetres.
+/// A strip 24 mm long and 12 mm wide, held at its left end. A single finger bends it by
+/// millimetres.
 Body strip(bool isCoupled)
 {
   vtkNew<vtkCubeSource> box;
@@ -73,7 +74,7 @@ Body pathTo(double x, double from, double to)
   return path;
 }
 
-/// One finger from above and one from below, until both have pressed.
+/// Presses with one finger from above and with one from below, until both have pressed.
 vtkSmartPointer<vtkHapticSession> pinch(vtkPolyData* body, double below)
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -100,7 +101,8 @@ int TestContactSceneHands(int argc, char* argv[])
   const Body alone = strip(false);
   const auto grip = pinch(coupled, 0.0);
   const auto apart = pinch(alone, 0.0);
-  // A single finger bends the strip away; a second finger on the other side holds it in place.
+  // A single finger bends the strip away. A second finger on the other side holds the strip in
+  // place.
   PALPATE_CHECK(forceOf(grip, 0) > 3.0 * forceOf(apart, 0));
   PALPATE_CHECK_NEAR(forceOf(grip, 1), -forceOf(grip, 0), 0.05 * forceOf(grip, 0));
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole body with dent, tool, arrow, trail, legend and caption: the picture and its numbers.
+// A whole body with dent, tool, arrow, trail, legend and caption: the picture is compared with a
+// baseline, and the values with the numbers.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -14,12 +15,12 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr vtkIdType Pictured = 120; // of 242 tips: in the middle of the slide
+constexpr vtkIdType Pictured = 120; // tip of 242 in the middle of the slide
 constexpr double Rounding = 1e-4;   // mm: coordinates of up to 60 mm in floats
 constexpr double View[3] = { 0.2, -1.0, -0.3 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// The tube of the trail: the visible actor that is not the body.
+/// Returns the tube of the trail, which is the visible actor other than the body.
 vtkActor* trailOf(vtkRenderer* renderer, vtkContactScene* scene)
 {
   vtkActorCollection* actors = renderer->GetActors();
@@ -73,7 +74,7 @@ void checkTrail(vtkActor* trail, vtkPolyData* tips)
       contacts.AddPoint(data->GetArray("ContactPoint")->GetTuple3(i));
     }
   }
-  PALPATE_CHECK(contacts.GetMaxLength() > 20.0); // without the approach and the lift
+  PALPATE_CHECK(contacts.GetMaxLength() > 20.0); // mm; without the approach and the lift
   double low[2][3];
   double high[2][3];
   drawn.GetBounds(low[0][0], high[0][0], low[0][1], high[0][1], low[0][2], high[0][2]);
@@ -149,7 +150,7 @@ int TestContactSceneOverview(int argc, char* argv[])
   scene->GetLegend()->VisibilityOn();
   scene->SetLargestForce(19.0);
   scene->ShowTip(tips, Pictured);
-  checkSound(sound, picture.window); // 2 mm/N, colours to 20 N, as before
+  checkSound(sound, picture.window); // 2 mm/N, and colours up to 20 N, as before
   scene->SetLargestForce(18000.0);
   scene->ShowTip(tips, Pictured);
   checkFaultShows("force in millinewtons", sound, picture.window);

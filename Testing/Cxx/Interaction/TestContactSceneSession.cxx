@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A live session in a scene: the applied force next to the ideal force with its reason, the
-// validity of the session's response, the trail of the last contacts, and the camera.
+// A live session in a scene: the applied force next to the ideal force with the reason for the
+// difference, the validity of the session's response, the trail of the last contacts, and the
+// camera.
 #include "PlacedDevice.h"
 #include "SceneParts.h"
 
@@ -15,8 +16,8 @@ using namespace palpate::testing;
 
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// One second in the air, one second down to 1.5 mm, four seconds along x, one second up and
-/// outside, and one second down again at another place.
+/// The path: one second in the air, one second down to 1.5 mm, four seconds along x, one second up
+/// and outside, and one second down again at another place.
 Body handPath()
 {
   const double times[] = { 0.0, 1.0, 2.0, 6.0, 7.0, 8.0, 9.0 };
@@ -64,7 +65,7 @@ vtkPolyData* drawnBy(vtkActor* actor)
   return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
 }
 
-/// In contact, 1.5 mm deep, while it slides.
+/// Checks a contact, 1.5 mm deep, during the slide.
 void checkContact(vtkHapticSession* session, vtkContactScene* scene)
 {
   const ForceParts parts(scene->GetToolRepresentation());
@@ -81,7 +82,7 @@ void checkContact(vtkHapticSession* session, vtkContactScene* scene)
   PALPATE_CHECK_NEAR(shown(parts.total, contact, ideal), scale * vtkMath::Norm(ideal), 1e-4);
   PALPATE_CHECK_NEAR(
     shown(parts.friction, contact, friction), scale * vtkMath::Norm(friction), 1e-4);
-  // Nothing has been rendered, so the applied force has not been moved to the side yet.
+  // Nothing has been rendered, so the applied force is not yet drawn beside the ideal force.
   PALPATE_CHECK(parts.applied->GetVisibility());
   PALPATE_CHECK_NEAR(shown(parts.applied, contact, applied), scale * 5.0, 1e-4);
   PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), "Deflection 1.50 mm",
@@ -115,7 +116,7 @@ int TestContactSceneSession(int, char*[])
   scene->SetLargestForce(25.0);
   scene->SetTrailLength(50); // two seconds
 
-  // In the air the tool has the given direction, and nothing else is shown.
+  // In the air the tool has the given direction. Nothing else is shown.
   const double aslant[3] = { 0.6, 0.0, 0.8 };
   session->Step(0.5);
   scene->SetFreeDirection(aslant);
@@ -145,8 +146,8 @@ int TestContactSceneSession(int, char*[])
   PALPATE_CHECK_TEXT(legend->GetTitle(), "Force (N)");
   PALPATE_CHECK(std::string(legend->GetTitle()).find("no contact") == std::string::npos);
 
-  // After the tool has lifted off, the camera still finds the last contact. The trail remains; it
-  // is not drawn through the air to the next contact.
+  // After the tool has lifted off, the camera still looks at the last contact. The trail remains,
+  // and is not drawn through the air to the next contact.
   play(session, scene, 2.5);
   PALPATE_CHECK(session->GetContactCell() < 0);
   scene->LookAtContact(100.0, Up, aslant);
@@ -159,7 +160,7 @@ int TestContactSceneSession(int, char*[])
   {
     double piece[6];
     trail->GetCellBounds(i, piece);
-    PALPATE_CHECK(piece[3] < 1.0 || piece[2] > 4.0); // contacts were at y = 0.2 mm and 5 mm
+    PALPATE_CHECK(piece[3] < 1.0 || piece[2] > 4.0); // the contacts were at y = 0.2 mm and 5 mm
   }
   PALPATE_CHECK_TEXT(legend->GetTitle(), "Force (N)", "gap: no contact");
   scene->ClearTrail();
@@ -171,10 +172,10 @@ int TestContactSceneSession(int, char*[])
   PALPATE_CHECK(session->ApplyChanges());
   session->Step(0.1);
   scene->ShowSession(session);
-  PALPATE_CHECK_NEAR(scene->GetValidity(), 0.64, 1e-6); // a/R is not defined for a flat: valid to
-                                                        // 0.4 R deep
+  // A/R is not defined for a flat end; it is valid to a depth of 0.4 R
+  PALPATE_CHECK_NEAR(scene->GetValidity(), 0.64, 1e-6);
 
-  // A stopped session applies no force, and the caption reports no difference.
+  // A stopped session applies no force, and the caption shows no difference.
   session->Stop();
   scene->ShowSession(session);
   PALPATE_CHECK(!parts.applied->GetVisibility());

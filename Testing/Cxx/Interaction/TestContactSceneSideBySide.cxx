@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three tools at the same spot of a cylinder, one scene each, side by side at the same scale of
-// force.
+// Three tools at the same place on a cylinder, with one scene each, side by side with the same
+// scale of force.
 #include "Picture.h"
 #include "SceneBodies.h"
 #include "SceneParts.h"
@@ -43,7 +43,8 @@ void checkColumn(const Column& column, const char* description)
   PALPATE_CHECK_NEAR(tool.low, -Depth, 1e-4);
   PALPATE_CHECK_NEAR(tool.high, 22.0 - Depth, 1e-4);
   PALPATE_CHECK_TEXT(caption(column.renderer), description, "Deflection 1.00 mm");
-  // The legend has the same width in pixels in a narrow viewport as in a wide one, and is inside.
+  // The legend has the same width in pixels in a narrow viewport as in a wide viewport, and is
+  // inside the viewport.
   const double left = column.scene->GetLegend()->GetPositionCoordinate()->GetValue()[0];
   const double width = column.scene->GetLegend()->GetWidth();
   PALPATE_CHECK_NEAR((1.0 - left) * column.renderer->GetSize()[0], 175.0, 1.0);
@@ -93,7 +94,7 @@ int TestContactSceneSideBySide(int argc, char* argv[])
   columns[2].scene->SetTool(makeTool("cone:60"));
   columns[0].scene->SetLargestForce(columns[0].force);
   columns[0].scene->ShowTip(columns[0].tip, 0);
-  checkSound(sound, picture.window); // the same round scale
+  checkSound(sound, picture.window); // the rounded scale has not changed
   columns[2].scene->SetLargestForce(columns[2].force);
   columns[2].scene->ShowTip(columns[2].tip, 0);
   checkFaultShows("arrows at different scales", sound, picture.window);

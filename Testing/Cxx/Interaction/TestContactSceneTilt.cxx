@@ -15,7 +15,8 @@ using namespace palpate::testing;
 constexpr double View[3] = { 0.25, -1.0, 0.4 };
 constexpr double Up[3] = { 0.0, 0.0, 1.0 };
 
-/// Probed contact of one tip in the middle, pressed `depth` mm deep and tilted towards +x.
+/// Returns the probed contact of one tip in the middle, pressed `depth` mm deep and tilted towards
+/// +x.
 Body leaning(vtkPolyData* body, double depth, double degrees)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);

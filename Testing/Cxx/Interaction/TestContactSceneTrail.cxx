@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The live trail of a fast hand, and the scale of its forces: with few pictures the line stays on
-// the surface, is whole as long as the contact is, and explains its gaps; the scale follows the
-// force.
+// The live trail of a fast hand, and the scale of its forces. Even with few pictures, the line
+// stays on the surface, is complete during the contact, and its gaps are explained. The scale
+// follows the force.
 #include "Picture.h"
 #include "PlacedDevice.h"
 #include "SceneBodies.h"
@@ -16,11 +16,11 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Radius = 40.0;     // mm, of the body
-constexpr double TubeRadius = 0.5;  // mm, of the trail
-constexpr double Coarseness = 0.02; // mm, by which the body's facets may be below the sphere
+constexpr double Radius = 40.0;     // mm; radius of the body
+constexpr double TubeRadius = 0.5;  // mm; radius of the trail
+constexpr double Coarseness = 0.02; // mm; largest distance of the body's facets below the sphere
 
-/// A quarter of a great circle, 1 mm deep, in 0.4 s; at half of it, `lifted` mm higher.
+/// A quarter of a great circle, 1 mm deep, in 0.4 s. In the middle it is `lifted` mm higher.
 Body arc(double lifted)
 {
   vtkNew<vtkPoints> points;
@@ -44,7 +44,7 @@ Body arc(double lifted)
   return path;
 }
 
-/// A session along a path over the ball, shown by a scene five times a second.
+/// A session along a path over the ball, which a scene shows five times a second.
 struct Session
 {
   vtkNew<vtkHapticSession> session;
@@ -82,11 +82,11 @@ struct Session
   std::string title() { return this->scene->GetTrailLegend()->GetTitle(); }
 };
 
-/// Largest depth of the tube's outer side below the ball, and angles at which the trail passes.
+/// Returns the largest depth of the tube's outer side below the ball, mm.
 double deepest(vtkPolyData* trail)
 {
   double depth = -Radius;
-  // The tube is visible where its outer side is above the ball: the highest of the twelve points of
+  // The tube is visible if its outer side is above the ball: the highest of the twelve points of
   // each ring.
   for (vtkIdType i = 0; i + 12 <= trail->GetNumberOfPoints(); i += 12)
   {
@@ -105,9 +105,10 @@ void checkFastDrag(vtkPolyData* body)
   Session fast(body, arc(0.0));
   fast.play(0.8);
   const double depth = deepest(fast.trail());
-  // 63 mm of way in two pictures: a chord between them would be 3 mm and more below the surface.
+  // 63 mm of path in two pictures. A chord between them would be at least 3 mm below the surface.
   PALPATE_CHECK(fast.trail()->GetNumberOfPoints() > 12 * 30);
-  PALPATE_CHECK(depth < -TubeRadius + 0.2); // of the tube's polygon and the chords of 1 mm
+  // mm; tolerance for the tube's polygon and the chords of 1 mm
+  PALPATE_CHECK(depth < -TubeRadius + 0.2);
   PALPATE_CHECK(fast.title().find("no contact") == std::string::npos);
 }
 
@@ -121,13 +122,14 @@ void checkLift(vtkPolyData* body)
   {
     const double* p = trail->GetPoint(i);
     const double angle = std::atan2(p[0], p[2]);
-    // The path is lifted at 40 < i < 60: -0.14 to 0.14 rad, and the ramps to the neighbours.
+    // The path is lifted at 40 < i < 60, which is -0.14 to 0.14 rad. The ramps extend to the
+    // neighbours.
     PALPATE_CHECK(std::abs(angle) > 0.13);
   }
 }
 
-/// The scale grows with the force at once, says so for three seconds, and shrinks again when the
-/// trail has been light for three seconds.
+/// The scale grows immediately with the force, and a remark is shown for three seconds. The scale
+/// shrinks again when the forces of the trail have been small for three seconds.
 void checkScale(vtkPolyData* body)
 {
   Session held(body, arc(0.0));
@@ -145,19 +147,20 @@ void checkScale(vtkPolyData* body)
   held.scene->SetLargestForce(0.4 * newtons);
   held.play(0.2);
   PALPATE_CHECK(end() >= newtons && end() < 2.0 * newtons);
-  PALPATE_CHECK_NEAR(held.scene->GetLargestForce(), newtons, 0.05 * newtons); // relative to edges
+  // The force varies at edges.
+  PALPATE_CHECK_NEAR(held.scene->GetLargestForce(), newtons, 0.05 * newtons);
   PALPATE_CHECK_TEXT(remark(), "scale changed");
   held.play(3.2);
   PALPATE_CHECK(remark().find("changed") == std::string::npos);
 
   held.scene->SetLargestForce(20.0 * newtons);
   held.play(2.8);
-  PALPATE_CHECK(end() >= 20.0 * newtons); // not yet
+  PALPATE_CHECK(end() >= 20.0 * newtons); // the scale must not have shrunk yet
   held.play(0.6);
   PALPATE_CHECK(end() >= newtons && end() < 2.0 * newtons);
   PALPATE_CHECK_TEXT(remark(), "scale changed");
 
-  // A scale that needs no change stays.
+  // A scale that fits is not changed.
   held.scene->SetLargestForce(2.0 * newtons);
   held.play(6.0);
   PALPATE_CHECK(held.scene->GetLargestForce() == 2.0 * newtons);

@@ -22,9 +22,9 @@ using namespace palpate::testing;
 constexpr double Modulus = 0.3; // MPa
 constexpr double Poisson = 0.4;
 constexpr double Reduced = Modulus / (1.0 - Poisson * Poisson);
-constexpr double Stored = 1e-6; // relative: responses are floats
+constexpr double Stored = 1e-6; // relative; responses are stored as floats
 
-/// Force of a response at a point, at the end of its range, 2 mm.
+/// Returns the force of a response at a point, at the end of its range, 2 mm.
 double deepest(vtkContactSetup* setup, int tool)
 {
   vtkDataArray* force =
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkContactSetup> makeSetup(vtkPolyData* body)
   return setup;
 }
 
-/// Returns true if the request has succeeded, false after an error.
+/// Waits for the request. Returns true if it has succeeded, false after an error.
 bool collected(vtkContactSetup* setup)
 {
   bool taken = setup->Collect();
@@ -78,7 +78,7 @@ void checkNow()
   PALPATE_CHECK(setup->GetToolInHand() == nullptr);
 }
 
-/// Of several requests only the newest has a result; each result is collected once.
+/// Of several requests, only the newest has a result. Each result is collected once.
 void checkInTheBackground()
 {
   const auto setup = makeSetup(planeBody(20.0, 150));
@@ -96,16 +96,17 @@ void checkInTheBackground()
   PALPATE_CHECK(setup->GetOutput() != before);
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 2.0 * Reduced * 2.0), 1.0, Stored);
   PALPATE_CHECK(!setup->Collect() && !setup->IsBusy());
-  // A tool changed in place counts as a change. A request during another request works, too.
+  // A tool that is changed in place is a change. A request during another request is also possible.
   setup->GetTool(1)->SetRadius(3.0);
   setup->Request();
   setup->SetYoungsModulus(Modulus);
-  PALPATE_CHECK(setup->Update()); // instead of the request
+  PALPATE_CHECK(setup->Update()); // replaces the request
   PALPATE_CHECK(!collected(setup));
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * 3.0 * Reduced * 2.0), 1.0, Stored);
 }
 
-/// Progress rises to 1. A cancelled request leaves the output, and its settings return.
+/// Progress increases to 1. A cancelled request does not change the output, and restores the
+/// settings of the output.
 void checkCancel()
 {
   const auto setup = makeSetup(planeBody(20.0, 150));
@@ -122,9 +123,9 @@ void checkCancel()
   PALPATE_CHECK(setup->GetPoissonRatio() == Poisson && setup->GetYoungsModulus() == Modulus);
   PALPATE_CHECK(setup->GetNumberOfRelaxations() == 0 && setup->GetTool(0)->GetRadius() == 5.0);
   setup->Request();
-  PALPATE_CHECK(!setup->IsBusy() && !setup->Collect()); // nothing is missing
+  PALPATE_CHECK(!setup->IsBusy() && !setup->Collect()); // the output is up to date
   setup->Cancel();                                      // no effect
-  // Other changes remain, and are made by the next request.
+  // Other changes are kept and used by the next request.
   setup->SetMaximumDeflection(1.5);
   setup->Request();
   setup->Cancel();
@@ -132,7 +133,7 @@ void checkCancel()
   PALPATE_CHECK(collected(setup));
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 1.5), 1.0, Stored);
   setup->SetMaximumDeflection(2.0);
-  // Before the first output there is nothing to return to.
+  // Before the first output there are no settings to restore.
   const auto fresh = makeSetup(planeBody(20.0, 150));
   fresh->Request();
   fresh->Cancel();
@@ -182,9 +183,9 @@ void checkModels()
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Layer));
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Series));
   PALPATE_CHECK(!setup->HasModel(vtkContactSetup::Stored));
-  const double halfSpace = 2.0 * Reduced * 2.0; // flat, 1 mm
-  // A layer is stiffer than a half-space: for a thick layer by the fraction a/h times a number of
-  // order 1.
+  const double halfSpace = 2.0 * Reduced * 2.0; // flat tool, 1 mm deep
+  // A layer is stiffer than a half-space. For a thick layer the relative difference is a/h times a
+  // number of order 1.
   setup->SetLayerThickness(1e4);
   setup->SetModel(vtkContactSetup::Layer);
   PALPATE_CHECK(setup->Update());
@@ -192,8 +193,8 @@ void checkModels()
   setup->SetLayerThickness(2.0);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK(deepest(setup, 1) > 1.3 * halfSpace);
-  // A stack of equal layers equals one layer of their total thickness. On an equal half-space it
-  // equals the half-space.
+  // A stack of equal layers has the same force as one layer of their total thickness. On an equal
+  // half-space it has the force of the half-space.
   const double layer = deepest(setup, 1);
   setup->SetLayerThickness(0.7);
   setup->AddLayer(1.3, Modulus, Poisson);
@@ -206,7 +207,7 @@ void checkModels()
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_NEAR(deepest(setup, 1) / halfSpace, 1.0, 1e-5);
   setup->SetLayerBase(0);
-  // Thicknesses per point, with a constant sum.
+  // The thicknesses differ from point to point, with a constant sum.
   const Body uneven = planeBody(10.0, 10);
   pointArray(uneven, "LayerThickness0", [](vtkIdType i) { return 0.7 + 0.01 * ((i - 60) % 11); });
   pointArray(uneven, "LayerThickness1", [](vtkIdType i) { return 1.3 - 0.01 * ((i - 60) % 11); });
@@ -241,7 +242,7 @@ void checkModels()
   PALPATE_CHECK(deepest(stored, 1) == deepest(setup, 1));
 }
 
-/// The ideal force of the chosen tool, 1 mm deep in the setup's output.
+/// Returns the ideal force of the chosen tool, 1 mm deep in the setup's output.
 double feltForce(vtkContactSetup* setup)
 {
   vtkNew<vtkHapticSession> session;
@@ -250,8 +251,8 @@ double feltForce(vtkContactSetup* setup)
   return idealOf(session);
 }
 
-/// A session that has the body already starts with the kernels of the setup: those of the chosen
-/// form, whose force differs from that of the full curves within the tolerance.
+/// A session that has the body before its start uses the kernels of the setup. These have the
+/// chosen form, whose force differs from the force of the full curves within the tolerance.
 void checkKernelsAtStart()
 {
   constexpr double tolerance = 0.05;
@@ -274,7 +275,7 @@ void checkKernelsAtStart()
   PALPATE_CHECK(idealOf(session) == chosen);
 }
 
-/// Whether two outputs have the same arrays, to the rounding of floats.
+/// Returns whether two outputs have the same arrays, up to the rounding of floats.
 bool areEqual(vtkPolyData* one, vtkPolyData* other)
 {
   const auto differs = [](vtkFieldData* a, vtkFieldData* b)
@@ -285,7 +286,7 @@ bool areEqual(vtkPolyData* one, vtkPolyData* other)
       vtkDataArray* numbers = a->GetArray(i);
       vtkDataArray* same = numbers ? b->GetArray(numbers->GetName()) : nullptr;
       isDifferent = numbers && !same;
-      // A stated error of 1 % contains differences of forces that are rounded to 1e-7.
+      // A stated error of 1 % is a difference of forces that are rounded to 1e-7.
       const std::string name = numbers ? numbers->GetName() : "";
       const double tolerance =
         name.size() > 5 && name.substr(name.size() - 5) == "Error" ? 1e-4 : Stored;
@@ -304,8 +305,8 @@ bool areEqual(vtkPolyData* one, vtkPolyData* other)
     !differs(one->GetFieldData(), other->GetFieldData());
 }
 
-/// Another modulus scales forces and compliances instead of computing them again. The result is
-/// that of a setup that knows nothing else. A body with a second modulus is computed again.
+/// For another modulus, forces and compliances are scaled instead of computed again. The result
+/// equals that of a new setup. A body with a second modulus is computed again.
 void checkModulusChange()
 {
   constexpr double factor = 2.7;
@@ -383,7 +384,7 @@ void checkModulusChange()
       std::abs(feltForce(setup) / feltForce(fresh) - 1.0) < Stored &&
       std::abs(setup->GetLargestForce() / fresh->GetLargestForce() - 1.0) < Stored &&
       setup->GetChoice(0) == fresh->GetChoice(0);
-    // What does not depend on the modulus is the same object if the responses were scaled.
+    // If the responses were scaled, arrays that do not depend on the modulus are the same objects.
     const auto rangeOf = [](vtkPolyData* output)
     { return output->GetPointData()->GetArray("ResponseRange"); };
     const bool isScaled = rangeOf(before) == rangeOf(setup->GetOutput());
@@ -392,7 +393,7 @@ void checkModulusChange()
       std::cerr << each.name << ": right " << isRight << ", scaled " << isScaled << "\n";
     }
     PALPATE_CHECK(isRight && isScaled == each.isScaled);
-    // Another change, and back to the first modulus.
+    // Another property changes. Then both properties return to their first values.
     setup->SetPoissonRatio(0.3);
     PALPATE_CHECK(setup->Update());
     PALPATE_CHECK(!areEqual(setup->GetOutput(), fresh->GetOutput()));
@@ -402,10 +403,9 @@ void checkModulusChange()
   }
 }
 
-/// The force of a running session changes to the collected responses, and not before.
-/// Another Poisson's ratio of a half-space scales the forces at once, and then errors and
-/// validities are computed. The results are those of a setup that knows nothing else. The forces of
-/// a layer are not proportional: they are computed.
+/// For another Poisson's ratio of a half-space, the forces are scaled immediately, and then errors
+/// and validities are computed. The results equal those of a new setup. The forces of a layer are
+/// not proportional, so they are computed.
 void checkPoissonChange()
 {
   constexpr double ratio = 0.2;
@@ -450,7 +450,7 @@ void checkPoissonChange()
     PALPATE_CHECK(collected(setup));
     const double first = deepest(setup, 1);
     const double felt = feltForce(setup);
-    const bool isTwice = collected(setup); // errors and validities
+    const bool isTwice = collected(setup); // collects the errors and validities
     const auto fresh = make();
     fresh->SetPoissonRatio(ratio);
     fresh->SetYoungsModulus(2.0 * Modulus);
@@ -465,7 +465,7 @@ void checkPoissonChange()
     }
     PALPATE_CHECK(isRight);
   }
-  // A cancelled completion returns to the ratio whose errors are known.
+  // After a cancelled completion, Poisson's ratio returns to the value whose errors are known.
   const auto setup = makeSetup(planeBody(20.0, 150));
   PALPATE_CHECK(setup->Update());
   setup->SetPoissonRatio(ratio);
@@ -478,6 +478,7 @@ void checkPoissonChange()
   PALPATE_CHECK_NEAR(deepest(setup, 1) / (2.0 * Reduced * 2.0), 1.0, Stored);
 }
 
+/// The force of a running session changes when new responses have been collected, and not before.
 void checkSession()
 {
   const auto setup = makeSetup(planeBody(10.0, 10));
@@ -487,7 +488,8 @@ void checkSession()
   pressed(session, deviceOf(1e3, 1e6));
   const auto sphere = makeTool("sphere:5");
   const double force = sphere->GetForce(1.0, Reduced);
-  // Blend of three curves of eight samples, 1 mm deep with a range of 2 mm: storage error 2e-4.
+  // Interpolation of three curves of eight samples, 1 mm deep with a range of 2 mm: storage error
+  // 2e-4.
   PALPATE_CHECK_NEAR(idealOf(session) / force, 1.0, 1e-3);
   setup->SetYoungsModulus(2.0 * Modulus);
   setup->Request();
@@ -505,8 +507,8 @@ void checkSession()
   PALPATE_CHECK_NEAR(idealOf(session) / (2.0 * 2.0 * Reduced), 1.0, 1e-5);
 }
 
-/// Without settings in the setup every session keeps its own. With them all sessions have the same
-/// settings; no response is made again for that.
+/// Without settings in the setup, every session keeps its own settings. With settings in the setup,
+/// all sessions have these settings. No response is computed again for this.
 void checkSettings()
 {
   const auto setup = makeSetup(planeBody(10.0, 4));
@@ -528,8 +530,8 @@ void checkSettings()
   PALPATE_CHECK(settings->GetPoissonRatio() == setup->GetPoissonRatio());
 }
 
-/// With a tolerance, the simplest form within the tolerance gives the force, also for responses
-/// made later. The output has the full responses.
+/// With a tolerance, the force comes from the simplest form within the tolerance, also for
+/// responses made later. The output has the full responses.
 void checkChoice()
 {
   const auto plain = makeSetup(planeBody(10.0, 10));
@@ -569,7 +571,7 @@ void checkChoice()
   PALPATE_CHECK_TEXT(series->GetChoice(1), "point force");
   series->SetChosenTool(1);
   PALPATE_CHECK_NEAR(feltForce(series) * (100.0 + 1.0 / (4.0 * Reduced)), 1.0, 0.05);
-  series->SetChoiceDeflection(0.0); // half of Range
+  series->SetChoiceDeflection(0.0); // the default is half of the range
   PALPATE_CHECK(series->Update());
   PALPATE_CHECK_TEXT(series->GetChoice(1), "point force");
 
@@ -580,7 +582,7 @@ void checkChoice()
   PALPATE_CHECK_TEXT(series->GetChoice(1), "point force"); // the choice of the present output
 }
 
-/// Every tool's response has the relaxation, which changes no curve.
+/// The response of every tool has the relaxation. The relaxation does not change any curve.
 void checkRelaxation()
 {
   const auto setup = makeSetup(planeBody(10.0, 10));
@@ -601,7 +603,7 @@ void checkRelaxation()
     PALPATE_CHECK(timeOf(tool)->GetTuple1(1) == setup->GetRelaxationTime(1));
   }
   PALPATE_CHECK(deepest(setup, 0) == slow);
-  // The choice names the number of elements.
+  // The sentence on the choice contains the number of elements.
   setup->SetTolerance(0.005);
   PALPATE_CHECK(setup->Update());
   PALPATE_CHECK_TEXT(setup->GetChoice(0), "The body relaxes, in 16 elements");

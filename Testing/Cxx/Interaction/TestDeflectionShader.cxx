@@ -23,13 +23,14 @@ constexpr double Depth = 1.2;
 constexpr double Exaggeration = 2.0;
 
 /// Tolerance of the position, as a fraction of the deflection: the error of the shader's table
-/// (DeflectionTable.h), and twice this for its shift along the surface on slopes up to 2.
+/// (DeflectionTable.h), and twice this error for the displacement along the surface on slopes up to
+/// 2.
 constexpr double Surface = 2e-3;
 /// Tolerance of a colour, of 255. 1e-3 of the deflection is a quarter of a step of the legend's 256
-/// colours; the next colour differs by up to 3.
+/// colours. The next colour differs by up to 3.
 constexpr double Color = 4.0;
-/// Tolerance of the light, of 255. The filter weights the facets around a point by area, the shader
-/// takes the slope over two edges. They agree to second order in the edge length; 0.05 rad is 13.
+/// Tolerance of the light, of 255. The filter weights the facets around a point by area; the shader
+/// uses the slope over two edges. They agree to second order in the edge length. 0.05 rad is 13.
 constexpr double Light = 13.0;
 
 struct Case
@@ -38,8 +39,7 @@ struct Case
   Body body;
   Vector3 contact;
   double poisson = 0.0; // ν = 0 has the largest radial displacement
-  double edge = 0.0;    ///< for a tool with a sharp rim: fraction of the pixels whose light may
-                        ///< differ
+  double edge = 0.0; ///< for a tool with a sharp rim: fraction of the pixels whose light may differ
 };
 
 vtkSmartPointer<vtkContactScene> makeScene(const Case& tried, vtkPolyData* tip)
@@ -81,7 +81,7 @@ void checkCase(const Case& tried)
     PALPATE_CHECK(color.share < 0.002);
     PALPATE_CHECK(light.share <= 0.005 + tried.edge);
     PALPATE_CHECK(cells.share < 0.01);
-    // A body that is not displaced, or whose normals are not turned, differs much more.
+    // The difference would be much larger without displacement, or without the change of normals.
     auto flat = makeScene(tried, tip);
     flat->SetExaggeration(0.0);
     TwoPaths still(flat, tried.contact, tried.contact.normalized() + aside, 9.0);
@@ -127,7 +127,7 @@ Body layered(const std::string& tool, double thickness)
   return response->GetOutput();
 }
 
-/// A response in series with the largest number of modes: the plane tilts and sags under the tool.
+/// A response in series with the largest number of modes: the plane tilts and bends under the tool.
 Body bending(const std::string& tool)
 {
   const Body body = lifted(planeBody(24.0, 120), 50.0);
@@ -152,7 +152,8 @@ Body bending(const std::string& tool)
   response->SetInputData(body);
   response->SetTool(makeTool(tool));
   makePlain(response);
-  response->SetYoungsModulus(2.0); // about 8 N: the modes sag 0.3 mm and turn normals by 0.2
+  // MPa; about 8 N: the modes give a deflection of 0.3 mm and turn normals by 0.2 rad
+  response->SetYoungsModulus(2.0);
   response->SetInputArrayToProcess(
     2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "GlobalCompliance");
   response->Update();
@@ -160,13 +161,14 @@ Body bending(const std::string& tool)
   result->GetFieldData()->AddArray(signs);
   return result;
 }
-/// A body of true shape near an edge: the near field tilts and bends the surface.
+/// A body with a response of its true shape, near an edge: the near field tilts and bends the
+/// surface.
 Body shaped(const std::string& tool)
 {
   const Body body = plane(tool);
   palpate::describeModel(body, "Response", { "by hand", palpate::TrueShapePart });
-  // About 15 N: the slope is 0.1. E* of 5 instead of 3.45 MPa leaves a fifth of the depth to the
-  // near field.
+  // About 15 N: the slope is 0.1. With an E* of 5 instead of 3.45 MPa, a fifth of the depth remains
+  // for the near field.
   const float numbers[12] = { 0.006F, -0.004F, 0.0F, 0.015F, 0.0008F, -0.0006F, 0.0F, 6.0F, 0.0004F,
     0.0F, 0.0F, 5.0F };
   vtkNew<vtkFloatArray> near;
@@ -180,7 +182,7 @@ Body shaped(const std::string& tool)
   return body;
 }
 
-/// Two hands of a session on one body: their dents add up; one hand is in the dent of the other.
+/// Two hands of a session on one body. Their dents add up; one hand is in the dent of the other.
 void checkTwoHands()
 {
   vtkNew<vtkToolContactResponse> response;
@@ -222,7 +224,7 @@ void checkTwoHands()
   session->RemoveAddedDevices();
   PALPATE_CHECK(session->Start());
   session->Step(0.1);
-  scene->ShowSession(session); // one hand again
+  scene->ShowSession(session); // only one hand again
   const Deviation one(paths.depths(true), paths.depths(false), Surface * Exaggeration * Depth);
   PALPATE_CHECK(one.share < 0.002);
   PALPATE_CHECK(Deviation(both, paths.depths(true)).largest > 0.3 * Exaggeration * Depth);

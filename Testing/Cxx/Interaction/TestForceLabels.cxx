@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The labels of a tool: each stays inside the viewport and covers neither tool, arrow, contact
-// circle nor another label, from many directions. An arrow seen end-on has a ring. A steady label
-// does not jump.
+// The labels of a tool, from many directions. Each label is inside the viewport and covers neither
+// the tool, an arrow, the contact circle nor another label. An arrow seen end-on has a ring. A
+// steady label does not jump.
 #include "Picture.h"
 #include "Response/TestBodies.h"
 #include "SceneParts.h"
@@ -51,7 +51,8 @@ Box boxOf(vtkRenderer* renderer, vtkTextActor* label)
   return { low, { low[0] + size[0], low[1] + size[1] } };
 }
 
-/// The drawn points of an actor, and three places between them on each edge of its triangles.
+/// Returns the drawn points of an actor, and three points between them on each edge of its
+/// triangles.
 std::vector<Point> pointsOf(vtkRenderer* renderer, vtkActor* actor)
 {
   actor->GetMapper()->Update();
@@ -114,7 +115,7 @@ void look(vtkRenderer* renderer, double azimuth, double height, double distance)
   renderer->ResetCameraClippingRange();
 }
 
-/// Checks all labels in the present picture; returns the number of visible labels.
+/// Checks all labels in the present picture. Returns the number of visible labels.
 int checkLabels(vtkRenderer* renderer, vtkHapticToolRepresentation* shown)
 {
   const ForceParts parts(shown);
@@ -147,7 +148,7 @@ int checkLabels(vtkRenderer* renderer, vtkHapticToolRepresentation* shown)
   return static_cast<int>(boxes.size());
 }
 
-/// The visible ring of an arrow: a part in the overlay that is no text.
+/// Returns the visible ring of an arrow: a part in the overlay that is not text.
 vtkPolyData* ringOf(vtkHapticToolRepresentation* shown)
 {
   vtkPropCollection* parts = shown->GetParts();
@@ -162,12 +163,12 @@ vtkPolyData* ringOf(vtkHapticToolRepresentation* shown)
   return nullptr;
 }
 
-/// From the front the total force has no ring; from above it has a ring as wide as the arrow is
-/// long, with a dot; from below a ring with a cross.
+/// From the front, the total force has no ring. From above it has a ring with a dot, as wide as the
+/// arrow is long. From below it has a ring with a cross.
 void checkRing(vtkRenderer* renderer, vtkRenderWindow* window, vtkHapticToolRepresentation* shown)
 {
   const double force[3] = { 0.0, 0.0, 2.0 };
-  shown->SetContact(Tip, Up, Contact, force); // 20 mm
+  shown->SetContact(Tip, Up, Contact, force); // length 20 mm
   look(renderer, 0.3, 0.0, 120.0);
   window->Render();
   PALPATE_CHECK(!ringOf(shown));
@@ -183,23 +184,24 @@ void checkRing(vtkRenderer* renderer, vtkRenderWindow* window, vtkHapticToolRepr
     }
     double bounds[6];
     ring->GetBounds(bounds);
-    // An arrow of 20 mm in the plane of the picture at the head, 10 mm above the focus. The angle
-    // of view is 30 degrees.
+    // An arrow of 20 mm is in the plane of the picture at the head, 10 mm above the focus. The
+    // angle of view is 30 degrees.
     const double distance = 120.0 - side * 10.0;
     const double pixels =
       20.0 * 0.5 * renderer->GetSize()[1] / (std::tan(vtkMath::Pi() / 12.0) * distance);
-    PALPATE_CHECK_NEAR(bounds[1] - bounds[0], pixels, 0.01 * pixels); // the head is not quite ahead
-    PALPATE_CHECK(ring->GetNumberOfPolys() == (side > 0.0 ? 1 : 0));  // the dot
-    PALPATE_CHECK(ring->GetNumberOfLines() == (side > 0.0 ? 1 : 3));  // the cross
+    // The head is not exactly in the middle of the view.
+    PALPATE_CHECK_NEAR(bounds[1] - bounds[0], pixels, 0.01 * pixels);
+    PALPATE_CHECK(ring->GetNumberOfPolys() == (side > 0.0 ? 1 : 0)); // the dot
+    PALPATE_CHECK(ring->GetNumberOfLines() == (side > 0.0 ? 1 : 3)); // the cross
   }
-  // A force of a hundredth still has a ring that can be seen.
+  // A force of a hundredth still has a visible ring.
   const double small[3] = { 0.0, 0.0, 0.02 };
   shown->SetContact(Tip, Up, Contact, small);
   window->Render();
   PALPATE_CHECK(ringOf(shown) && ringOf(shown)->GetLength() > 16.0);
 }
 
-/// Sum of the steps of the label relative to the arrow's head while the camera turns, pixels.
+/// Sum of the motions of the label relative to the arrow's head while the camera turns, pixels.
 double wandering(
   vtkRenderer* renderer, vtkRenderWindow* window, vtkHapticToolRepresentation* shown, bool steady)
 {
@@ -252,7 +254,8 @@ int TestForceLabels(int, char*[])
   }
   PALPATE_CHECK(most == 4);
 
-  // Close up the head of the arrow is at the upper edge, and the tool fills a third of the picture.
+  // In the close-up the head of the arrow is at the upper edge, and the tool fills a third of the
+  // picture.
   shown->SetContact(Tip, Up, Contact, forces[0]);
   for (const double distance : { 60.0, 45.0 })
   {
@@ -264,6 +267,6 @@ int TestForceLabels(int, char*[])
   checkRing(renderer, picture.window, shown);
   const double steady = wandering(renderer, picture.window, shown, true);
   const double restless = wandering(renderer, picture.window, shown, false);
-  PALPATE_CHECK(steady < 0.7 * restless); // else the places are not kept
+  PALPATE_CHECK(steady < 0.7 * restless); // otherwise the places are not kept
   return palpate::testing::result();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Virtual time: steps add up, the same steps give the same bits, a stopped session exerts no force,
-// the device's force is limited, and the hand rests at the end of a path.
+// the force of the device is limited, and the hand rests at the end of a path.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -100,14 +100,14 @@ void checkStop(vtkPolyData* body, vtkPolyData* path)
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
   session->Step(1.0);
-  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // kept after Stop
+  PALPATE_CHECK(session->GetRecorder()->GetTicks().size() == 1300); // ticks are kept after Stop
   PALPATE_CHECK(session->Start());                                  // starts again at time 0
   PALPATE_CHECK(session->GetRecorder()->GetTicks().empty() && session->GetTime() == 0.0);
   session->GetForce(force);
   PALPATE_CHECK(vtkMath::Norm(force) == 0.0);
 }
 
-/// The body is so stiff that the device, with its 10 N, cannot apply the force.
+/// The body is so stiff that the device, with its limit of 10 N, cannot apply the force.
 void checkLimit(vtkPolyData* path)
 {
   const auto session = startedSession(withResponse(planeBody(20.0, 20), "flat:3"), path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Devices of a session: turned and scaled mapping, loss during contact and return, replay, and the
-// servo thread, where every tick is recorded.
+// Devices of a session: a rotated and scaled mapping, loss during contact and return, replay, and
+// the servo thread, where every tick is recorded.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 #include "Haptics/Devices/TrajectoryFile.h"
@@ -18,7 +18,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// With twice the scale, the hand moves half as far for the same depth.
+/// With a scale of 2, the hand moves half as far for the same depth.
 void checkMapping(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -26,7 +26,8 @@ void checkMapping(vtkPolyData* body)
   session->SetResponseName("Flat");
   session->GetDevice()->SetScale(2.0);
   session->GetDevice()->SetOrigin(0.0, 0.0, 1.0);
-  // A mapping of the device's z to the body's -x would need another normal. This is a turn about z.
+  // A mapping of the device's z to the body's -x would need another normal. This mapping is a turn
+  // about z.
   session->GetDevice()->SetRight(0.0, 3.0, 0.0);
   session->GetDevice()->SetUp(-1.0, 0.0, 0.0);
   PlacedDevice* device = pressed(session, deviceOf(100.0, 1e6));
@@ -34,11 +35,12 @@ void checkMapping(vtkPolyData* body)
   session->GetTip(tip);
   PALPATE_CHECK_NEAR(tip[0], -0.4, 1e-12); // y of the device, 0.2 mm, times two
   PALPATE_CHECK_NEAR(tip[1], 0.6, 1e-12);
-  PALPATE_CHECK_NEAR(tip[2], -1.0, 1e-12); // 1 mm less twice 1 mm
+  PALPATE_CHECK_NEAR(tip[2], -1.0, 1e-12); // 1 mm, minus twice 1 mm
   PALPATE_CHECK_NEAR(device->Force, 11.04, 0.01);
 }
 
-/// A device lost during contact and found again: the state, no force, the device's own text.
+/// A device is lost during contact and found again. Checks the state, zero force, and the device's
+/// own message.
 void checkLost(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -62,7 +64,7 @@ void checkLost(vtkPolyData* body)
   PALPATE_CHECK(device->Force == 0.0);
 }
 
-/// A session in virtual time whose tool has slid over the body.
+/// Returns a session in virtual time whose tool has slid over the body.
 vtkSmartPointer<vtkHapticSession> sessionAfterSlide(vtkPolyData* body)
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -102,7 +104,7 @@ void checkReplay(vtkPolyData* body)
   PALPATE_CHECK(again->Start()); // the previous device is still in use
 }
 
-/// A recording that begins in the middle of a session is replayed at once, from its first row on.
+/// A recording that begins in the middle of a session is replayed immediately from its first row.
 void checkReplayFromTheMiddle(vtkPolyData* body)
 {
   const auto first = sessionAfterSlide(body);
@@ -124,12 +126,12 @@ void checkReplayFromTheMiddle(vtkPolyData* body)
   PALPATE_CHECK(played.size() + 1 >= ticks.size() && played.size() <= ticks.size() + 1);
   for (std::size_t i = 0; i < std::min(played.size(), ticks.size()); ++i)
   {
-    // Times are differences, so that a tip between two rows is rounded.
+    // The replay uses differences of times, so a tip between two rows has a rounding error.
     PALPATE_CHECK((played[i].tip - ticks[i].tip).norm() < 1e-9);
   }
 }
 
-/// On the servo thread every tick is recorded. The count is checked in a second way.
+/// On the servo thread every tick is recorded. The number of ticks is checked independently.
 void checkRealTime(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -181,14 +183,14 @@ void checkRealTime(vtkPolyData* body)
   PALPATE_CHECK(value("InvalidSamples") > 0.0 && value("SceneChanges") == 1.0);
   PALPATE_CHECK(value("TicksInContact") > 0.0 && value("MedianTick (ns)") > 0.0);
   PALPATE_CHECK_NEAR(value("PeakForce (N)"), 11.04, 0.01);
-  // Ticks that were not missed are at whole periods, in order. The two counts agree.
+  // Ticks that were not missed are at whole periods, in order. Both counts of missed ticks agree.
   vtkDataArray* time = recording->GetPointData()->GetArray("Time");
   double skipped = 0.0;
   for (vtkIdType i = 1; i < time->GetNumberOfTuples(); ++i)
   {
     const double periods = 1000.0 * (time->GetTuple1(i) - time->GetTuple1(i - 1));
     PALPATE_CHECK(periods > 0.5);
-    PALPATE_CHECK_NEAR(periods, std::round(periods), 1e-6); // minutes in double precision
+    PALPATE_CHECK_NEAR(periods, std::round(periods), 1e-6); // times of minutes in double precision
     skipped += std::round(periods) - 1.0;
   }
   PALPATE_CHECK(skipped <= value("Missed"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each reason that prevents a start is named, and the session is not left half started.
+// Each reason that prevents a start is named, and the session is not left partly started.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -58,8 +58,8 @@ void checkPaths(vtkHapticSession* session, Messages& messages, vtkPolyData* good
   checkRefused(session, messages, { "Point 3 of the path", "back in time" });
   time->SetTuple1(3, std::nan(""));
   checkRefused(session, messages, { "Point 3 of the path", "not finite" });
-  time->SetTuple1(3, time->GetTuple1(2)); // two points at the same time are a jump, which is
-                                          // allowed
+  // Two points at the same time are a jump, which is allowed.
+  time->SetTuple1(3, time->GetTuple1(2));
   PALPATE_CHECK(session->Start());
   path->DeepCopy(good);
   path->GetPoints()->SetPoint(4, 0.0, std::numeric_limits<double>::infinity(), 0.0);

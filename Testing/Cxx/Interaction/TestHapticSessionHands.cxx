@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A session with two devices: the effect of one tool on the other, the sent and recorded forces of
-// each, the loss of one, another body under both, the servo thread, and refused combinations.
+// each device, the loss of one device, a change of the body under both, the servo thread, and
+// refused combinations.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -36,7 +37,7 @@ Body flatOn(bool isCoupled)
   return filter->GetOutput();
 }
 
-/// A path at one place, given by times and heights.
+/// A path at one place with given times and heights.
 Body pathAt(double x, std::initializer_list<std::pair<double, double>> way)
 {
   Body path = Body::New();
@@ -74,7 +75,7 @@ double forceOf(vtkHapticSession* session, int device)
   return force[2];
 }
 
-/// Force of the first of two springs, each of which lowers the surface for the other.
+/// Force of the first of two springs, each of which lowers the surface under the other.
 double coupled(double own, double other)
 {
   return Spring * (own - Mutual * Spring * other) / (1.0 - std::pow(Mutual * Spring, 2));
@@ -82,7 +83,7 @@ double coupled(double own, double other)
 
 void checkLift(vtkPolyData* body, bool isCoupled)
 {
-  constexpr double digits = 1e-5; // N: curves are floats
+  constexpr double digits = 1e-5; // N; curves are stored as floats
   const Session session = twoOn(body);
   PALPATE_CHECK(session->Start());
   session->Step(0.15);
@@ -142,7 +143,8 @@ void checkRecorded(vtkPolyData* body)
   PALPATE_CHECK_NEAR(
     peaks->GetValueByName(0, "PeakAppliedForce (N)").ToDouble(), forceOf(session, 1), 1e-3);
 
-  // A single device gives the same bits as a session that never had another one.
+  // After the second device has been removed, the session gives the same bits as a session that
+  // never had a second device.
   session->RemoveAddedDevices();
   PALPATE_CHECK(session->Start());
   session->Step(0.4);
@@ -167,11 +169,11 @@ void checkChange(vtkPolyData* body)
   session->Step(0.4);
   session->SetBody(flatOn(false));
   PALPATE_CHECK(session->ApplyChanges());
-  session->Step(0.026); // half way of the ramp of 50 ms, which begins with the second tick
+  session->Step(0.026); // in the middle of the ramp of 50 ms, which begins with the second tick
   PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * (coupled(0.5, 0.8) + 0.5 * Spring), 1e-5);
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.5 * (coupled(0.8, 0.5) + 0.8 * Spring), 1e-5);
   session->Step(0.03);
-  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // floats
+  PALPATE_CHECK_NEAR(forceOf(session, 0), 0.5 * Spring, 1e-5); // rounding of floats
   PALPATE_CHECK_NEAR(forceOf(session, 1), 0.8 * Spring, 1e-5);
 }
 
@@ -190,7 +192,8 @@ bool comesTo(const PlacedDevice* device, double force)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return std::abs(device->Force - force) < 1e-4; // floats, and the error after two iterations
+  // Tolerance for floats and the error after two iterations.
+  return std::abs(device->Force - force) < 1e-4;
 }
 
 void checkRealTime(vtkPolyData* body)
@@ -198,7 +201,7 @@ void checkRealTime(vtkPolyData* body)
   const auto session = Session::New();
   session->SetBody(body);
   session->SetRealTime(true);
-  session->GetSafety()->PassivityControlOff(); // the positions are prescribed: no loop is closed
+  session->GetSafety()->PassivityControlOff(); // the positions are prescribed, so no loop is closed
   PALPATE_CHECK(session->AddDevice("simulated") == 1);
   PlacedDevice* first = place(session->GetDevice());
   PlacedDevice* second = place(session->GetDevice(1));

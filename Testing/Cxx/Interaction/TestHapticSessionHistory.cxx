@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ticks of the last seconds without a recording: their range in virtual time; on the servo
-// thread each tick is present or counted as lost; and their duration.
+// The ticks of the last seconds without a recording: their range in virtual time, and their
+// duration. On the servo thread each tick is either present or counted as lost.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -22,7 +22,7 @@ Body historyOf(vtkHapticSession* session)
   return history;
 }
 
-/// The history equals the end of a recording of the same run, bit by bit.
+/// Checks that the history equals the end of a recording of the same run, bit by bit.
 void checkIsEndOf(vtkPolyData* recording, vtkPolyData* history)
 {
   const vtkIdType count = history->GetNumberOfPoints();
@@ -162,13 +162,14 @@ void checkRealTime(vtkPolyData* body)
   session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6)));
   PALPATE_CHECK(session->Start());
 
-  // Without reading, 250 ticks wait; the others are lost and counted.
+  // If the ticks are not read, 250 ticks are kept. The others are lost and counted.
   waitFor([&] { return session->GetNumberOfTicks() > 600; });
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() >= 300);
   Body history = historyOf(session);
   PALPATE_CHECK(history->GetNumberOfPoints() <= 250 && history->GetNumberOfPoints() > 0);
 
-  // With reading at the rate of a display no further tick is lost, and the history moves on.
+  // If the ticks are read at the rate of a display, no further tick is lost, and the history
+  // advances.
   const vtkIdType lost = session->GetRecorder()->GetNumberOfLostTicks();
   const vtkIdType then = session->GetNumberOfTicks();
   waitFor(
@@ -177,7 +178,7 @@ void checkRealTime(vtkPolyData* body)
       history = historyOf(session);
       return session->GetNumberOfTicks() > then + 700;
     });
-  // A machine that stops for 0.25 s would lose some ticks; they are counted.
+  // A machine that stops for 0.25 s would lose some ticks, which are counted.
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() - lost <=
     session->GetNumberOfTicks() - then - 250);
   vtkDataArray* time = history->GetPointData()->GetArray("Time");
@@ -209,7 +210,7 @@ void checkNoHistogram(vtkPolyData* body)
   PALPATE_CHECK(session->Start());
   session->Step(0.1);
   session->GetRecorder()->GetTimingHistogram(histogram);
-  PALPATE_CHECK(histogram->GetNumberOfRows() == 0); // virtual time
+  PALPATE_CHECK(histogram->GetNumberOfRows() == 0); // there are no times in virtual time
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device that the force moves: in free space a mass on spring and damper; in contact in
-// equilibrium; stable with the safety chain and not without it; steered by path and by hand.
+// A device that the force moves. In free space it is a mass on a spring and damper; in contact it
+// comes to equilibrium. It is stable with the safety chain and unstable without. It is steered by a
+// path and by hand.
 #include "PlacedDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -19,7 +20,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The target of the hand over the middle of a triangle's edge: {time, height in mm}.
+/// The target of the hand over the middle of a triangle's edge, as pairs {time, height in mm}.
 Body heights(const std::vector<std::pair<double, double>>& places)
 {
   vtkNew<vtkPoints> points;
@@ -45,12 +46,12 @@ void prepare(vtkHapticSession* session, vtkPolyData* body, const char* response,
   session->GetDevice()->SetPath(path);
   PALPATE_CHECK(session->GetDevice()->Open(device));
   PALPATE_CHECK(session->GetDevice()->IsSimulated() && !session->GetDevice()->IsPhysical());
-  PALPATE_CHECK(!session->GetDevice()->GetOutputsForce()); // no real hand holds it
+  PALPATE_CHECK(!session->GetDevice()->GetOutputsForce()); // no person holds the device
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0);
 }
 
-/// The target of the hand jumps by 10 mm, in the air: the step response of m x'' + (b + b_h) x' + k
-/// x.
+/// The target of the hand jumps by 10 mm, in the air. The result is the step response of m x'' + (b
+/// + b_h) x' + k x.
 void checkFree(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -66,12 +67,12 @@ void checkFree(vtkPolyData* body)
     const double t = std::max(0.0, tick.time - 0.1);
     const double left =
       std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
-    PALPATE_CHECK_NEAR(tick.tip.z(), 50.0 + 10.0 * left, 1e-9); // mm: rounding of 500 ticks
+    PALPATE_CHECK_NEAR(tick.tip.z(), 50.0 + 10.0 * left, 1e-9); // mm; rounding of 500 ticks
     PALPATE_CHECK(tick.appliedForce.isZero());
   }
 }
 
-/// The target is 1 mm below the surface: the hand comes to rest where the contact force is k
+/// The target is 1 mm below the surface. The hand comes to rest where the contact force is k
 /// (x_hand - x).
 void checkEquilibrium(vtkPolyData* body)
 {
@@ -109,13 +110,13 @@ void checkEquilibrium(vtkPolyData* body)
 
 struct Rest
 {
-  double sway = 0.0;  ///< motion of the tip in the last half second, peak to peak, mm
-  double force = 0.0; ///< at the end, N
-  double depth = 0.0; ///< mm
+  double sway = 0.0;  ///< peak-to-peak motion of the tip in the last half second, mm
+  double force = 0.0; ///< force at the end, N
+  double depth = 0.0; ///< depth at the end, mm
 };
 
 /// The flat punch has 11 N/mm. The plant with 0.1 kg and 1 N s/m at 1 kHz is stable up to 2 N/mm,
-/// and up to 3 N/mm in this hand. The plant specifies half of the first value.
+/// and up to 3 N/mm in this hand. The specification of the plant states half of the first value.
 Rest pressStiff(vtkPolyData* body, bool isCapped, bool isPassive)
 {
   vtkNew<vtkHapticSession> session;
@@ -142,7 +143,7 @@ void checkSafety(vtkPolyData* body)
   PALPATE_CHECK(loose.sway > 0.05);
   const Rest capped = pressStiff(body, true, false);
   PALPATE_CHECK(capped.sway < 1e-3);
-  PALPATE_CHECK_NEAR(capped.force, 1.0 * capped.depth, 1e-6); // N/mm: b/T
+  PALPATE_CHECK_NEAR(capped.force, 1.0 * capped.depth, 1e-6); // the allowed stiffness b/T is 1 N/mm
   const Rest passive = pressStiff(body, false, true);
   PALPATE_CHECK(passive.sway < 0.1 * loose.sway);
   const Rest both = pressStiff(body, true, true);

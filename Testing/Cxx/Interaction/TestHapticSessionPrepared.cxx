@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session with kernels that the caller made beforehand: Start does not make them again, except if
-// the body has changed since, or at the next Start. Also tests the largest force of a device.
+// A session with kernels that the caller has made before. Start does not make them again, unless
+// the body has changed in the meantime; the next Start does. The largest force of a device is also
+// tested.
 #include "Response/BodyConversion.h"
 #include "Interaction/Session/BodyKernels.h"
 #include "PlacedDevice.h"
@@ -13,13 +14,13 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Force of the session, 1 mm deep, after a start.
+/// Force of the session after a start, at a depth of 1 mm.
 double pressedForce(vtkHapticSession* session)
 {
   return pressed(session, deviceOf(100.0, 1e6))->Force;
 }
 
-/// The same response, twice as strong, so that the force distinguishes it from the original.
+/// The same response with twice the force, which distinguishes it from the original.
 Body strongerBody(vtkPolyData* body)
 {
   Body stronger = Body::New();
@@ -50,8 +51,10 @@ void checkGivenKernels(vtkPolyData* body)
   PALPATE_CHECK(own > 1.0);
 
   session->SetBody(body, kernels);
-  PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own); // floats, doubled
-  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);      // the kernels are for one Start
+  // Twice the force, with the rounding of floats.
+  PALPATE_CHECK_NEAR(pressedForce(session), 2.0 * own, 1e-5 * own);
+  // The kernels are used for one Start only.
+  PALPATE_CHECK_NEAR(pressedForce(session), own, 1e-12 * own);
 
   session->SetBody(body, kernels);
   body->Modified();
@@ -61,7 +64,7 @@ void checkGivenKernels(vtkPolyData* body)
 void checkForceLimit()
 {
   vtkNew<vtkHapticSession> session;
-  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0); // "simulated": see the header
+  PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 10.0); // see the header for "simulated"
   session->GetDevice()->SetSimulatedForce(12.0);
   PALPATE_CHECK(session->GetDevice()->GetMaximumForce() == 12.0);
   session->GetDevice()->Use(std::make_unique<PlacedDevice>(deviceOf(7.0, 1e6)));

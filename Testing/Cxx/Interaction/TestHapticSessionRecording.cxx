@@ -60,7 +60,7 @@ void checkProbeAgrees(vtkPolyData* body, vtkPolyData* recording)
   }
 }
 
-/// Newest values and statistics compared with the arrays.
+/// Compares the newest values and the statistics with the arrays.
 void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
 {
   vtkPointData* data = recording->GetPointData();
@@ -72,7 +72,7 @@ void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
     peakForce = std::max(peakForce, vtkMath::Norm(data->GetArray("Force")->GetTuple3(i)));
     peakDeflection = std::max(peakDeflection, data->GetArray("Deflection")->GetTuple1(i));
     inContact += data->GetArray("ContactCell")->GetTuple1(i) >= 0.0 ? 1.0 : 0.0;
-    // A sphere of 6.35 mm, 1 mm deep at E* = 3.45 MPa: more than the device's 10 N.
+    // A sphere of 6.35 mm, 1 mm deep at E* = 3.45 MPa, exceeds the device's 10 N.
     const double applied = vtkMath::Norm(data->GetArray("AppliedForce")->GetTuple3(i));
     const double wanted = vtkMath::Norm(data->GetArray("Force")->GetTuple3(i));
     PALPATE_CHECK_NEAR(applied, std::min(wanted, 10.0), 1e-12);

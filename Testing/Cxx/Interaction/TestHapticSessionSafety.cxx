@@ -13,9 +13,9 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The paper's tools 1 mm deep. A device limited to 2 N/mm levels their forces at about 2 N; one
-/// common factor keeps their ratios. The forces, uncapped and capped, are those of the project's
-/// reference: 11.4, 11.0, 5.45 N and 1.99, 2.00, 1.96 N.
+/// The paper's tools, 1 mm deep. A device limited to 2 N/mm equalises their forces at about 2 N;
+/// one common factor preserves their ratios. The forces, uncapped and capped, are those of the
+/// project's reference: 11.4, 11.0, 5.45 N and 1.99, 2.00, 1.96 N.
 void checkFit(vtkPolyData* body)
 {
   double capped[3];
@@ -55,7 +55,8 @@ void checkFit(vtkPolyData* body)
   {
     PALPATE_CHECK_NEAR(ideal[i], reference[i], 0.05); // reference values have three digits
     PALPATE_CHECK_NEAR(capped[i], referenceCapped[i], 0.005 + 1e-9);
-    PALPATE_CHECK_NEAR(fitted[i] / ideal[i], factor, 1e-3 * factor); // error of the stored curves
+    // Tolerance for the stored curves.
+    PALPATE_CHECK_NEAR(fitted[i] / ideal[i], factor, 1e-3 * factor);
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -64,7 +65,7 @@ void checkFit(vtkPolyData* body)
   PALPATE_CHECK(fitted[2] / fitted[1] < 0.5);
 }
 
-/// A simulated hand without a limit of force renders each force unchanged, also with the fit.
+/// A simulated hand without a force limit renders each force unchanged, also with the fit.
 void checkNoFit(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -95,7 +96,7 @@ void checkNoFit(vtkPolyData* body)
   }
 }
 
-/// The force limit in addition to the device's limit, and errors that name the property.
+/// A force limit in addition to the device's limit, and errors that name the property.
 void checkLimits(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -140,8 +141,8 @@ void checkLimits(vtkPolyData* body)
   PALPATE_CHECK(session->Start() && messages.none());
 }
 
-/// The limits of torque for a device that outputs torque: the smaller of its own limits and the
-/// settings.
+/// The limits of torque for a device that outputs torque: the smaller value of its own limits and
+/// the settings.
 void checkTorqueLimits()
 {
   palpate::DeviceSpecification device;
@@ -157,7 +158,8 @@ void checkTorqueLimits()
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorsionalStiffness == 0.1);
   safety->SetTorqueLimit(0.3);
   PALPATE_CHECK(safety->GetSettings(device, false).maximumTorque == 0.2);
-  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0); // no torque output
+  // The device has no torque output.
+  PALPATE_CHECK(safety->GetSettings({}, false).maximumTorque == 0.0);
 }
 
 void checkGate(vtkPolyData* body)
@@ -169,7 +171,7 @@ void checkGate(vtkPolyData* body)
   {
     auto owned = std::make_unique<PlacedDevice>(deviceOf(100.0, 1e6));
     PlacedDevice* device = owned.get();
-    device->Height = -1e-3; // within the body from the start
+    device->Height = -1e-3; // inside the body from the start
     session->GetDevice()->Use(std::move(owned));
     session->GetSafety()->PassivityControlOff();
     session->GetSafety()->SetGate(gate);
@@ -210,12 +212,12 @@ void checkChange(vtkPolyData* body)
   alone->SetBody(body);
   alone->SetResponseName("Small");
   PALPATE_CHECK_NEAR(last, pressed(alone, deviceOf(100.0, 1e6))->Force, 1e-12);
-  // Linear in time over 50 ms: 50 equal steps of 1 ms. The tolerance of 1 % is for the rounding of
-  // the ramp.
+  // The change is linear in time over 50 ms: 50 equal steps of 1 ms. The tolerance of 1 % is for
+  // the rounding of the ramp.
   PALPATE_CHECK_NEAR(largest, (before - last) / 50.0, 0.01 * (before - last) / 50.0);
   PALPATE_CHECK(session->GetRecorder()->GetTicks().back().scene == 1);
 
-  // A wrong change is refused by name, and the session continues.
+  // An invalid change is refused with its name, and the session continues.
   Messages messages(session);
   session->SetResponseName("Elsewhere");
   PALPATE_CHECK(!session->ApplyChanges());
@@ -227,7 +229,7 @@ void checkChange(vtkPolyData* body)
   session->GetSettings()->SetFrictionCoefficient(0.0);
   session->Step(0.1);
   PALPATE_CHECK(device->Force == last && session->GetRecorder()->GetTicks().back().scene == 1);
-  // Another body, 2 mm lower: the tip is outside.
+  // The new body is 2 mm lower, so the tip is outside.
   Body lower = Body::New();
   lower->DeepCopy(body);
   for (vtkIdType i = 0; i < lower->GetNumberOfPoints(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The settings of forces, surface and friction in a session: wrong values are refused by name,
-// valid values take effect in virtual time and in real time.
+// The settings of forces, surface and friction in a session. Invalid values are refused by name.
+// Valid values take effect in virtual time and in real time.
 #include "Contact/ContactSettings.h"
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
@@ -92,7 +92,8 @@ void checkRefused(vtkPolyData* body)
   }
 }
 
-/// Friction in getters, recording and statistics. Flat punch of 1 mm, 0.5 mm deep: 3.45 N.
+/// Friction in getters, recording and statistics. A flat punch of 1 mm at a depth of 0.5 mm has
+/// 3.45 N.
 void checkFrictionIsTold(vtkPolyData* body)
 {
   vtkNew<vtkHapticSession> session;
@@ -104,7 +105,8 @@ void checkFrictionIsTold(vtkPolyData* body)
   session->GetFrictionForce(friction);
   PALPATE_CHECK(vtkMath::Norm(friction) == 0.0);
   PALPATE_CHECK(session->Start());
-  session->GetSettings()->SetFrictionCoefficient(0.0); // too late: settings are read at Start
+  // has no effect, because settings are read at Start
+  session->GetSettings()->SetFrictionCoefficient(0.0);
   session->Step(1.0);
   session->GetFrictionForce(friction);
   double total[3];
@@ -135,7 +137,7 @@ void checkFrictionIsTold(vtkPolyData* body)
     PALPATE_CHECK(std::equal(f, f + 3, contact.friction.data()));
     for (int k = 0; k < 3; ++k)
     {
-      PALPATE_CHECK_NEAR(force[k], pressing * n[k] + f[k], 1e-14); // rounding of 4 N
+      PALPATE_CHECK_NEAR(force[k], pressing * n[k] + f[k], 1e-14); // rounding error of 4 N
     }
     PALPATE_CHECK_NEAR(vtkMath::Dot(f, n), 0.0, 1e-14);
     peak = std::max(peak, vtkMath::Norm(f));
@@ -148,12 +150,12 @@ void checkFrictionIsTold(vtkPolyData* body)
   PALPATE_CHECK(statistics->GetValueByName(0, "PeakFriction (N)").ToDouble() == peak);
 }
 
-/// Another coefficient applies to the sliding contact from the tick of the change on. During the
-/// change of 50 ms the force is between Coulomb's limits of both.
+/// A new coefficient applies to the sliding contact from the tick of the change. During the change
+/// of 50 ms the force is between Coulomb's limits of both coefficients.
 void checkFrictionChange(vtkPolyData* body)
 {
   constexpr double normal = 2.0 * 3.45 * 0.5;
-  constexpr double rounding = 1e-6; // of curves that are stored as floats
+  constexpr double rounding = 1e-6; // rounding error of curves that are stored as floats
   vtkNew<vtkHapticSession> session;
   session->SetBody(body);
   session->GetDevice()->SetPath(draggedPath());
@@ -178,7 +180,7 @@ void checkFrictionChange(vtkPolyData* body)
     PALPATE_CHECK(along < Friction * normal + rounding);
     PALPATE_CHECK(tick < 51 || along < less * normal + rounding);
   }
-  session->Step(0.02); // still moving
+  session->Step(0.02); // the hand is still moving
   session->GetFrictionForce(friction);
   PALPATE_CHECK_NEAR(vtkMath::Norm(friction), less * normal, rounding);
 }
@@ -212,7 +214,7 @@ void checkRealTime(vtkPolyData* body)
   session->Stop();
 }
 
-/// One warning for each state of the body.
+/// There is one warning for each state of the body.
 void checkUnsoundBody(vtkPolyData* sound)
 {
   Body body = Body::New();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A path that tilts the tool: the values of the session and its recording. A path without axes has
-// none. A hand that is turned while it is steered.
+// A path that tilts the tool: the values of the session and its recording. A path without axes
+// gives no axes. A hand that is turned while it is steered.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -17,7 +17,8 @@ using namespace palpate::testing;
 
 constexpr double Tilt = 0.3; // rad
 
-/// The same path; in its second half the tool is tilted towards x by Tilt instead of upright.
+/// Returns the same path with axes. In the second half the tool is tilted towards x by Tilt; in the
+/// first half it is upright.
 Body tilting(vtkPolyData* path)
 {
   Body turned = Body::New();
@@ -53,7 +54,7 @@ void checkTold(vtkPolyData* body, vtkPolyData* path)
   double axis[3];
   double torque[3];
   session->GetAxis(axis);
-  PALPATE_CHECK(vtkMath::Norm(axis) == 0.0); // before the first tick
+  PALPATE_CHECK(vtkMath::Norm(axis) == 0.0); // no axis before the first tick
   session->Step(0.01);
   session->GetAxis(axis);
   PALPATE_CHECK_NEAR(axis[2], 1.0, 1e-12);
@@ -120,7 +121,7 @@ void checkSteered(vtkPolyData* body)
   session->Stop();
 }
 
-/// A flat end whose deepest point is a fifth of its radius deep, upright and tilted by 5 degrees.
+/// A flat end whose deepest point is a fifth of its radius deep: upright, and tilted by 5 degrees.
 void checkFelt()
 {
   constexpr double radius = 3.0;
@@ -172,12 +173,13 @@ void checkFelt()
   upright->GetIdealForce(force);
   PALPATE_CHECK_NEAR(force[2], 2.0 * radius * 0.2 * radius, 1e-5);
   upright->GetIdealTorque(torque);
-  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]); // of the table near upright
+  // Tolerance of the table near upright.
+  PALPATE_CHECK(vtkMath::Norm(torque) < 1e-3 * radius * force[2]);
   const double whole = force[2];
   const auto leaning = pressed(angle);
   leaning->GetIdealForce(force);
   leaning->GetIdealTorque(torque);
-  // tilt_bem.csv, D = 0.2 of the radius: T = 0.5757; its torque is 0.1073 E* a^3, about -y.
+  // tilt_bem.csv, D = 0.2 of the radius: T = 0.5757. The torque is 0.1073 E* a^3, about -y.
   PALPATE_CHECK_NEAR(force[2] / whole, 0.5757, 0.003);
   PALPATE_CHECK_NEAR(torque[1], -0.1073 * radius * radius * radius, 0.02);
   PALPATE_CHECK_NEAR(leaning->GetTilt(), 5.0, 1e-9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tool stands on its tip along the normal. The arrow has the length of the force, or is absent.
+// The tool is drawn with its tip at the given point, along the normal. The arrow has the length of
+// the force, or is absent.
 #include "Picture.h"
 #include "Response/TestBodies.h"
 #include "SceneParts.h"
@@ -20,7 +21,8 @@ void checkTool(const ToolParts& parts, const double tip[3], const double normal[
   const Extent tool = extentAlong(parts.tool, tip, normal);
   PALPATE_CHECK_NEAR(tool.low, 0.0, Rounding);
   PALPATE_CHECK_NEAR(tool.high, length, Rounding);
-  PALPATE_CHECK_NEAR(tool.aside, 4.0, Rounding); // the radius of the shaft: the tool is upright
+  // The radius of the shaft, because the tool is upright.
+  PALPATE_CHECK_NEAR(tool.aside, 4.0, Rounding);
 }
 
 void checkArrow(const ToolParts& parts, const double force[3], double scale)
@@ -31,7 +33,7 @@ void checkArrow(const ToolParts& parts, const double force[3], double scale)
   const Extent arrow = extentAlong(parts.arrow, Contact, direction);
   PALPATE_CHECK_NEAR(arrow.low, 0.0, Rounding);
   PALPATE_CHECK_NEAR(arrow.high, scale * magnitude, Rounding);
-  PALPATE_CHECK_NEAR(arrow.aside, 2.4, Rounding); // its head: the same width for every force
+  PALPATE_CHECK_NEAR(arrow.aside, 2.4, Rounding); // radius of the head, the same for every force
   double* head = parts.label->GetPositionCoordinate()->GetValue();
   for (int k = 0; k < 3; ++k)
   {
@@ -44,7 +46,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   const ToolParts parts(representation);
   const double none[3] = { 0.0, 0.0, 0.0 };
   const double notANumber[3] = { std::nan(""), 0.0, 0.0 };
-  const double slanted[3] = { 0.3, 1.2, 0.4 }; // 1.3 N
+  const double slanted[3] = { 0.3, 1.2, 0.4 }; // magnitude 1.3 N
   PALPATE_CHECK_NEAR(representation->GetForceScale(), 10.0, 0.0);
   PALPATE_CHECK_NEAR(representation->GetToolLength(), 22.0, 0.0);
   PALPATE_CHECK(!parts.arrow->GetVisibility() && !parts.label->GetVisibility());
@@ -54,7 +56,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   checkArrow(parts, slanted, 10.0);
   PALPATE_CHECK(std::string(parts.label->GetInput()) == "1.30 N");
 
-  // Ten times the scale and a tenth of the force give the same length; the label gives the force.
+  // Ten times the scale and a tenth of the force give the same length. The label shows the force.
   const double tenth[3] = { 0.03, 0.12, 0.04 };
   representation->SetForceScale(100.0);
   representation->SetToolLength(30.0);
@@ -65,7 +67,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
   representation->SetForceScale(10.0);
   representation->SetToolLength(22.0);
 
-  // Without a force there is no arrow; without a normal the last direction is used.
+  // Without a force there is no arrow. Without a normal the last direction is used.
   for (const double* force : { none, notANumber })
   {
     representation->SetContact(Tip, none, Contact, force);
@@ -73,7 +75,7 @@ void checkNumbers(vtkHapticToolRepresentation* representation)
     checkTool(parts, Tip, Normal, 22.0);
   }
 
-  // Along each axis, as a frame could degenerate there.
+  // Along each axis, because a frame could degenerate there.
   for (int axis = 0; axis < 3; ++axis)
   {
     double along[3] = { 0.0, 0.0, 0.0 };

@@ -28,7 +28,8 @@ using namespace palpate::testing;
 constexpr double Reduced = 3.45; // MPa, as in withResponse
 constexpr double Radius = 1.0;   // mm, for the flat tool: F = 2 a E* d
 
-/// A square of 30 mm seen from above, in the left half of a window. The right half takes no events.
+/// A square of 30 mm seen from above, in the left half of a window. The right half is not
+/// interactive.
 struct Window
 {
   Picture picture{ 800, 400 };
@@ -123,8 +124,8 @@ struct Window
     return found;
   }
 
-  /// Waits for a limited time until the hand is at its last target. Returns whether this is at the
-  /// given height.
+  /// Waits for a limited time until the hand is at its last target. Returns whether this target is
+  /// at the given height.
   bool reaches(double height)
   {
     double away = 1.0;
@@ -145,7 +146,8 @@ struct Window
   }
 };
 
-/// A wheel event that does not press does not count as pressing: backward, or off the body.
+/// A wheel event that does not press is not counted as pressing: a turn backward, or with the
+/// pointer off the body.
 void checkIdleWheel(Window& w)
 {
   w.pointAt(3.0, 2.0);
@@ -182,7 +184,7 @@ void checkSurface(Window& w)
   PALPATE_CHECK_NEAR(tip[0], -4.0, pixel);
   w.send(vtkCommand::LeftButtonReleaseEvent);
   PALPATE_CHECK(!w.style->IsPressing() && w.reaches(3.0));
-  // The wheel alone presses, too.
+  // The wheel alone also presses.
   w.send(vtkCommand::MouseWheelForwardEvent, 3);
   PALPATE_CHECK(w.reaches(-0.3));
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 0.3, 1e-5);
@@ -213,14 +215,15 @@ void checkButtonAfterWheel(Window& w)
   PALPATE_CHECK(w.reaches(3.0));
 }
 
-/// A tool that presses keeps its place and depth while the pointer is off the body. The style says
-/// so, but not for a hovering tool nor for a pointer in another viewport.
+/// A tool that presses keeps its place and depth while the pointer is off the body. The style
+/// reports that the pointer is off the body, but not for a hovering tool or a pointer in another
+/// viewport.
 void checkOffBody(Window& w)
 {
   w.pointAt(3.0, 2.0);
   PALPATE_CHECK(w.reaches(3.0) && !w.style->IsPointerOffBody());
   w.pointAtPixel(3, 396);
-  PALPATE_CHECK(!w.style->IsPointerOffBody()); // it hovers
+  PALPATE_CHECK(!w.style->IsPointerOffBody()); // the tool hovers
   w.pointAt(3.0, 2.0);
   w.send(vtkCommand::MouseWheelForwardEvent, 5);
   PALPATE_CHECK(w.reaches(-0.5) && !w.style->IsPointerOffBody());
@@ -230,7 +233,7 @@ void checkOffBody(Window& w)
   PALPATE_CHECK(w.style->IsPointerOffBody());
   double after[3];
   w.session->GetTip(after);
-  constexpr double rest = 0.05; // mm; the hand may still come to rest
+  constexpr double rest = 0.05; // mm; the hand may still move slightly
   PALPATE_CHECK(vtkMath::Distance2BetweenPoints(before, after) < rest * rest);
   w.pointAtPixel(600, 200);
   PALPATE_CHECK(!w.style->IsPointerOffBody());
@@ -264,7 +267,7 @@ void checkCamera(Window& w)
   PALPATE_CHECK(w.heard.empty());
   PALPATE_CHECK(std::equal(before, before + 3, camera->GetPosition()));
   PALPATE_CHECK(std::equal(otherBefore, otherBefore + 3, other->GetPosition()));
-  // Off the body the camera orbits, and the tool does not move.
+  // With the pointer off the body, the camera orbits, and the tool does not move.
   w.pointAtPixel(3, 396);
   w.send(vtkCommand::LeftButtonPressEvent);
   w.pointAtPixel(60, 340);
@@ -275,7 +278,7 @@ void checkCamera(Window& w)
   camera->SetViewUp(0.0, 1.0, 0.0);
 }
 
-/// In the plane of the view the tip keeps its distance from the viewer; the wheel changes this
+/// In the plane of the view, the tip keeps its distance from the viewer. The wheel changes this
 /// distance.
 void checkViewPlane(Window& w)
 {
@@ -286,7 +289,7 @@ void checkViewPlane(Window& w)
   w.pointAt(5.0, 5.0);
   w.pointAt(2.0, -1.0);
   PALPATE_CHECK(w.reaches(3.0));
-  w.send(vtkCommand::MouseWheelForwardEvent, 35); // the view is along -z
+  w.send(vtkCommand::MouseWheelForwardEvent, 35); // the view direction is -z
   PALPATE_CHECK(w.reaches(-0.5));
   PALPATE_CHECK_NEAR(w.session->GetDeflection(), 0.5, 1e-6);
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 0.5, 1e-5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Force over time and over deflection compared with the session's own recording and Sneddon's law;
-// axes that only grow; new runs; the histogram compared with the count of ticks.
+// axes that only grow; new runs; the histogram compared with the number of ticks.
 #include "LiveChartChecks.h"
 #include "PlacedDevice.h"
 
@@ -20,7 +20,7 @@ using namespace palpate::testing;
 constexpr double Slope = 2.0 * 3.45 * 1.6; // N/mm: Sneddon's 2 a E* of the flat punch
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/// Presses a flat punch 1 mm deep and slides. The device reaches its 10 N at 0.9 mm.
+/// Presses a flat punch 1 mm deep and slides. The device reaches its limit of 10 N at 0.9 mm.
 vtkSmartPointer<vtkHapticSession> pressing(vtkPolyData* body)
 {
   auto session = vtkSmartPointer<vtkHapticSession>::New();
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkHapticSession> pressing(vtkPolyData* body)
 
 struct Recorded
 {
-  std::vector<Row> ideal; // over time
+  std::vector<Row> ideal; // ideal force over time
   std::vector<Row> applied;
   std::vector<Row> friction;
   std::vector<double> deflection;
@@ -60,7 +60,8 @@ Recorded recordedBy(vtkHapticSession* session)
   return recorded;
 }
 
-/// Smallest and largest value in each interval of 1/500 of the seconds, by direct search.
+/// Returns the smallest and the largest value in each interval of 1/500 of `seconds`, by direct
+/// search.
 std::vector<Row> extremes(const std::vector<Row>& signal, double seconds)
 {
   const double now = signal.back().first;
@@ -89,7 +90,7 @@ std::vector<Row> extremes(const std::vector<Row>& signal, double seconds)
   return rows;
 }
 
-/// The points of a line, without the first one if its age is exactly `seconds`.
+/// Returns the points of a line, without the first point if its age is exactly `seconds`.
 std::vector<Row> within(vtkPlot* plot, double seconds)
 {
   std::vector<Row> points = pointsOf(plot);
@@ -131,7 +132,7 @@ void checkOverTime(vtkPolyData* body)
     PALPATE_CHECK(chart->GetAxis(vtkAxis::BOTTOM)->GetMinimum() == -duration);
     PALPATE_CHECK(chart->GetAxis(vtkAxis::BOTTOM)->GetMaximum() == 0.0);
   }
-  // The peak by Sneddon's law, 1 mm deep, plus friction of 0.3 at right angles.
+  // The peak by Sneddon's law, 1 mm deep, plus perpendicular friction with a coefficient of 0.3.
   const auto session = pressing(body);
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
@@ -172,7 +173,7 @@ void checkGaps(vtkPolyData* body)
   for (int i = 0; i < 300; ++i)
   {
     points->InsertNextPoint(0.3, 0.2, -0.5 - 0.001 * i);
-    time->InsertNextValue(0.01 * i + (i < 200 ? 0.005 : 2.505)); // two per interval
+    time->InsertNextValue(0.01 * i + (i < 200 ? 0.005 : 2.505)); // two values per interval
   }
   tips->GetPointData()->AddArray(time);
   vtkNew<vtkLiveCharts> charts;
@@ -185,13 +186,13 @@ void checkGaps(vtkPolyData* body)
   PALPATE_CHECK(std::isnan(rows[200].first) && std::isnan(rows[200].second));
   PALPATE_CHECK_NEAR(rows[199].first, 1.99 - 5.49, 1e-12);
   PALPATE_CHECK_NEAR(rows[199].second, 0.699 * Slope, 1e-5);
-  // Without an applied force, none is drawn.
+  // Without an applied force, no applied force is drawn.
   PALPATE_CHECK(!plotOf(charts->GetTimeChart(), "Applied")->GetVisible());
   PALPATE_CHECK(!plotOf(charts->GetDeflectionChart(), "Applied")->GetVisible());
 
   for (int i = 0; i < 300; ++i)
   {
-    time->SetValue(i, 1.0 * i); // 1 s apart
+    time->SetValue(i, 1.0 * i); // values are 1 s apart
   }
   touched->GetPointData()->AddArray(time);
   touched->Modified();
@@ -200,8 +201,8 @@ void checkGaps(vtkPolyData* body)
   PALPATE_CHECK(slow.size() == 11 && pointsOf(plotOf(charts->GetTimeChart(), "Ideal")) == slow);
 }
 
-/// After a peak has left the chart over time, its axis shrinks within three seconds, not before.
-/// Legends are outside the data.
+/// After a peak has left the chart over time, the axis of the chart shrinks within three seconds,
+/// but not before. Legends are outside the data.
 void checkShrinking(vtkPolyData* body)
 {
   vtkNew<vtkPoints> points;
@@ -219,7 +220,7 @@ void checkShrinking(vtkPolyData* body)
   vtkNew<vtkLiveCharts> charts;
   charts->SetBody(body);
   charts->SetResponseName("Flat");
-  charts->SetLargestForce(0.1); // the axis follows the forces from the first tip on
+  charts->SetLargestForce(0.1); // N; the axis follows the forces from the first tip
   const Body touched = probed(body, tips, "Flat");
   const auto end = [&charts]
   { return charts->GetTimeChart()->GetAxis(vtkAxis::LEFT)->GetMaximum(); };
@@ -232,7 +233,7 @@ void checkShrinking(vtkPolyData* body)
     }
     else if (i > 151)
     {
-      // Steps are 1, 2 or 5 times a power of ten, at most five of them.
+      // The steps of the axis are 1, 2 or 5 times a power of ten. There are at most five steps.
       PALPATE_CHECK(end() >= 0.05 * Slope && end() < 2.0 * 0.05 * Slope);
     }
   }
@@ -288,7 +289,7 @@ void checkOverDeflection(vtkPolyData* body)
   PALPATE_CHECK(hasTouched);
 }
 
-/// The ranges follow from the responses: 2 mm, and 11.04 N/mm for a punch; the chart over time uses
+/// The ranges follow from the responses: 2 mm, and 11.04 N/mm for a punch. The chart over time uses
 /// half of the depth.
 void checkRanges(vtkPolyData* body)
 {
@@ -316,9 +317,9 @@ void checkRanges(vtkPolyData* body)
   charts->SetLargestDeflection(0.0);
   PALPATE_CHECK(charts->ShowTip(tip, 0));
   ends(15.0, 2.0, 25.0);
-  // For a larger deflection they grow, and do not shrink again.
+  // For a larger deflection the ranges grow. They do not shrink again.
   PALPATE_CHECK(charts->ShowTip(probed(body, singleTip(0.3, 0.2, -2.6), "Flat"), 0));
-  ends(15.0, 3.0, 30.0); // no array Time: nothing over time
+  ends(15.0, 3.0, 30.0); // without an array Time there is no force over time
   PALPATE_CHECK(charts->ShowTip(tip, 0));
   ends(15.0, 3.0, 30.0);
   charts->ResetRanges();
@@ -339,7 +340,8 @@ void checkHistogram(vtkPolyData* body)
   PALPATE_CHECK(session->Start());
   for (int i = 0; i < 10000 && session->GetNumberOfTicks() < 500; ++i) // at most about 20 s
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // no reading: some ticks are lost
+    // Nothing is read, so some ticks are lost.
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   PALPATE_CHECK(session->GetRecorder()->GetNumberOfLostTicks() > 0);
   session->Stop();
@@ -363,7 +365,7 @@ void checkHistogram(vtkPolyData* body)
   }
 }
 
-/// Each class is in the tenth of a decade that contains its upper end.
+/// Each class is in the tenth of a decade that contains the upper end of the class.
 void checkGivenHistogram()
 {
   vtkNew<vtkTable> histogram;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The curves at the contact: the blend compared with the probe at the same place, the corners with
-// vtkResponseCurves, on facets and on the smooth surface; compared tools; the start of the dotted
-// part.
+// The curves at the contact. The interpolated curve is compared with the probe at the same place,
+// and the corner curves with vtkResponseCurves, on facets and on the smooth surface. Also tested:
+// compared tools, and the start of the dotted part.
 #include "LiveChartChecks.h"
 
 #include "vtkAxis.h"
@@ -48,7 +48,8 @@ vtkSmartPointer<vtkTable> storedCurves(
   return curves->GetOutput();
 }
 
-/// Both evaluate the same samples of a stored curve; they differ only in the order of sums.
+/// Compares a curve with a table. Both evaluate the same samples of a stored curve and differ only
+/// in the order of sums.
 void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType column)
 {
   vtkIdType row = 0;
@@ -58,7 +59,8 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
     {
       ++row;
     }
-    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9) // not the start of the dots
+    // The point is not the start of the dotted part.
+    if (std::abs(expected->GetValue(row, 0).ToDouble() - depth) < 1e-9)
     {
       const double stored = expected->GetValue(row, column).ToDouble();
       PALPATE_CHECK_NEAR(force, stored, 1e-12 * stored);
@@ -67,8 +69,8 @@ void checkCurve(const std::vector<Row>& curve, vtkTable* expected, vtkIdType col
   PALPATE_CHECK(row == Steps && curve.size() > Steps);
 }
 
-/// On a plane, a tip straight below the contact point has the same contact point: at any depth the
-/// blend equals the probe's force.
+/// On a plane, a tip directly below the contact point has the same contact point. At any depth, the
+/// interpolated curve equals the probe's force.
 void checkFacets()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -86,8 +88,8 @@ void checkFacets()
     const Body pressed = probed(body, singleTip(x, y, -0.7));
     PALPATE_CHECK(charts->ShowTip(pressed, 0));
     const std::vector<Row> blend = curveOf(chart, "Blend");
-    PALPATE_CHECK(blend.size() == Steps + 3); // plus the point where it becomes dotted, in both
-                                              // parts
+    // Plus the point where the curve becomes dotted, which is in both parts.
+    PALPATE_CHECK(blend.size() == Steps + 3);
     for (const auto& [depth, force] : blend)
     {
       const double expected =
@@ -114,7 +116,7 @@ void checkFacets()
   }
 }
 
-/// When the tool leaves, the curves remain and the running point disappears.
+/// When the tool leaves the body, the curves remain and the running point disappears.
 void checkLeaving()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -143,7 +145,7 @@ void checkLeaving()
   }
 }
 
-/// Cells before the triangles shift the cell ids, but do not change the curves.
+/// Cells before the triangles shift the cell ids but do not change the curves.
 void checkOtherCells()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -164,8 +166,8 @@ void checkOtherCells()
   PALPATE_CHECK(blends[0] == blends[1]);
 }
 
-/// A point on the smooth surface has other area coordinates than its projection on the facet. The
-/// blend at the deflection of the contact must equal the force of the contact.
+/// A point on the smooth surface has other area coordinates than its projection on the facet. At
+/// the deflection of the contact, the interpolated curve must equal the force of the contact.
 void checkSmooth()
 {
   const Body body = unevenResponse(sphereBody(40.0, 3), "flat:1.6");
@@ -174,7 +176,7 @@ void checkSmooth()
   vtkNew<vtkToolContactProbe> probe;
   probe->SetInputData(0, body);
   probe->SetContactSurfaceToSmooth();
-  constexpr int row = 15; // 0.5 mm
+  constexpr int row = 15; // the row at 0.5 mm
   for (const auto& [x, y] : { Row{ 3.0, 8.0 }, Row{ -15.0, 6.0 }, Row{ 12.0, -21.0 } })
   {
     double tip[3] = { x, y, std::sqrt(39.5 * 39.5 - x * x - y * y) };
@@ -196,14 +198,14 @@ void checkSmooth()
     const std::vector<Row> blend = curveOf(charts->GetCurvesChart(), "Blend");
     const auto at = std::find_if(blend.begin(), blend.end(),
       [](const Row& each) { return std::abs(each.first - 0.5) < 1e-9; });
-    // The error of the kernel's coordinates is 2e-6 mm on edges of 6 mm, over which the modulus
-    // varies threefold.
+    // The coordinates in the kernel have an error of 2e-6 mm on edges of 6 mm, over which the
+    // modulus varies by a factor of three.
     PALPATE_CHECK(at != blend.end());
     PALPATE_CHECK_NEAR(at->second, force, 2e-6 * force);
   }
 }
 
-/// At a vertex, the blend of each tool is the curve of that vertex.
+/// At a vertex, the interpolated curve of each tool is the curve of this vertex.
 void checkCompared()
 {
   const Body body = planeBody(20.0, 20);
@@ -252,8 +254,8 @@ void checkCompared()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "'DSamples'");
 }
 
-/// A live session gives the same curves as a probe. Beyond the range the blend extends to the depth
-/// of the tool.
+/// A live session gives the same curves as a probe. Beyond the range the interpolated curve extends
+/// to the depth of the tool.
 void checkSession()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:6.35");
@@ -263,7 +265,7 @@ void checkSession()
   vtkNew<vtkLiveCharts> charts;
   charts->SetSession(session);
   PALPATE_CHECK(session->GetRecorder()->GetHistorySeconds() == charts->GetDuration());
-  charts->Update(); // the session is not started: nothing to show, no error
+  charts->Update(); // the session is not started, so there are no curves and no error
   PALPATE_CHECK(charts->GetCurvesChart()->GetNumberOfPlots() == 0);
   PALPATE_CHECK(session->Start());
   session->Step(1.7);

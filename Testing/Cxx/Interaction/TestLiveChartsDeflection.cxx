@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of force over deflection for a contact: the way in and a slide, with ideal and
-// applied force.
+// The picture of force over deflection for a contact: a press and a slide, with ideal and applied
+// force.
 #include "LiveChartPicture.h"
 
 int TestLiveChartsDeflection(int argc, char* argv[])

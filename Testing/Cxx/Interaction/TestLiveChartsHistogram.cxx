@@ -9,7 +9,7 @@
 
 namespace
 {
-/// A peak of `ticks` in total around `middle` us, `width` decades wide, with a tail of outliers.
+/// A peak of about `ticks` ticks around `middle` us, `width` decades wide, with a tail of outliers.
 double count(double time, double middle, double width, double ticks)
 {
   const double away = std::log10(time / middle) / width;

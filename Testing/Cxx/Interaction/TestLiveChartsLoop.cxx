@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the loop of a press of liver, drawn during the press, and its numbers in both
-// charts.
+// The picture of the force loop of a press on liver, drawn during the press, and the numbers of the
+// loop in both charts.
 #include "LiveChartPicture.h"
 #include "LiverSlab.h"
 
@@ -18,7 +18,8 @@ void checkNumbers(vtkLiveCharts* charts)
   {
     most = std::max(most, row.second);
   }
-  // The largest memory is that of the deepest tick, since both grow until then.
+  // The deepest tick has the largest memory, because depth and memory both increase up to this
+  // tick.
   PALPATE_CHECK_NEAR(most / Loop(felt).peak, 1.0 - 1.0 / 1.514, 0.005);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of force over time: ideal, applied and friction force; a press above the device's
-// force.
+// The picture of force over time: ideal, applied and friction force in a press that exceeds the
+// device's force.
 #include "LiveChartPicture.h"
 
 #include "vtkAxis.h"
@@ -30,7 +30,7 @@ int TestLiveChartsTime(int argc, char* argv[])
   checkFaultShows("another unit at the axis", sound, picture.window);
   chart->GetAxis(vtkAxis::LEFT)->SetTitle("Force (N)");
   session->Step(0.1);
-  checkSound(sound, picture.window); // only Update takes over new ticks
+  checkSound(sound, picture.window); // only Update adds new ticks
   picture.charts->Update();
   checkFaultShows("a tenth of a second later", sound, picture.window);
   return palpate::testing::result();

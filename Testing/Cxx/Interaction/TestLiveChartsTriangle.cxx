@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the curves of a triangle's corners, their blend, dotted beyond validity, and the
-// running point.
+// The picture of the curves of a triangle's corners, their interpolated curve, which is dotted
+// beyond validity, and the running point.
 #include "LiveChartPicture.h"
 
 int TestLiveChartsTriangle(int argc, char* argv[])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All charts in one viewport: their arrangement in a high and a wide viewport, and the picture.
+// All charts in one viewport: their arrangement in a high and in a wide viewport, and the picture.
 #include "LiveChartPicture.h"
 
 #include "vtkRect.h"
@@ -10,7 +10,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The charts are inside the viewport, do not overlap, and have a good aspect ratio.
+/// Checks that the charts are inside the viewport, do not overlap, and have a good aspect ratio.
 void checkPlaces(vtkLiveCharts* charts, float width, float height)
 {
   const std::array<vtkChartXY*, 4> all = { charts->GetTimeChart(), charts->GetDeflectionChart(),
@@ -40,7 +40,7 @@ int TestLiveChartsWindow(int argc, char* argv[])
   charts->SetRenderer(side);
   charts->SetSession(session);
   PALPATE_CHECK(charts->GetRenderer() == side && charts->GetSession() == session);
-  PALPATE_CHECK(!side->GetInteractive()); // mouse events belong to the scene
+  PALPATE_CHECK(!side->GetInteractive()); // mouse events are for the scene
   PALPATE_CHECK(session->Start());
   session->Step(1.9);
   charts->Update();
@@ -54,7 +54,7 @@ int TestLiveChartsWindow(int argc, char* argv[])
   side->SetViewport(0.0, 0.0, 1.0, 1.0);
   charts->SetHistogramVisibility(true);
   charts->Update();
-  checkPlaces(charts, 1100.0F, 560.0F); // two by two
+  checkPlaces(charts, 1100.0F, 560.0F); // two rows of two charts
   const auto sound = draw(picture.window);
   checkBaseline(picture.window, argc, argv);
   charts->SetCurvesVisibility(false);

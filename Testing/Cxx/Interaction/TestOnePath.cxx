@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One recorded trajectory gives the same bits in the probe filter, the servo step, a session in
-// virtual time and the C interface, for every force form, surface and friction model. The
-// trajectory presses and slides back and forth over many facets of a bumpy, open body of many
-// materials, beyond the range of the responses, over the border, out and in again; and it has
-// samples that are not finite.
+// virtual time and the C interface, for every force form, surface and friction model. The body is
+// bumpy and open, and its material differs from point to point. The trajectory presses and slides
+// back and forth over many facets, beyond the range of the responses, over the border, out and in
+// again. Some samples are not finite.
 #include "Response/BodyConversion.h"
 #include "EventfulPath.h"
 #include "Response/FlatBodyConversion.h"
@@ -28,7 +28,7 @@ namespace
 using namespace palpate::testing;
 using palpate::Tick;
 
-/// The numbers of a tick that all four report, as doubles, for a comparison of their bits.
+/// The numbers of a tick that all four report, as doubles, so that their bits can be compared.
 using Numbers = std::vector<double>;
 
 void append(Numbers& numbers, const double* values, int count)
@@ -68,7 +68,7 @@ Numbers numbersOf(const std::vector<palpate_tick>& ticks)
   return numbers;
 }
 
-/// Numbers of the probe's output, or of a recording.
+/// Returns the numbers of the probe's output, or of a recording.
 Numbers numbersOf(vtkPolyData* felt)
 {
   Numbers numbers;
@@ -151,7 +151,7 @@ std::vector<palpate_tick> throughC(const Stage& stage,
   return ticks;
 }
 
-/// The filter and the session of VTK have the same properties.
+/// Sets the settings in the filter or the session of VTK, which have the same properties.
 template <class Felt>
 void choose(Felt* felt, const palpate::ContactSettings& settings)
 {
@@ -163,7 +163,7 @@ void choose(Felt* felt, const palpate::ContactSettings& settings)
   felt->GetSettings()->SetPoissonRatio(settings.friction.poissonRatio);
 }
 
-/// The tips of the servo step as one polyline; NaN for ticks without a tip.
+/// Probes the tips of the servo step as one polyline, with NaN for ticks without a tip.
 Body throughProbe(
   const Stage& stage, const std::vector<Tick>& ticks, const palpate::ContactSettings& settings)
 {
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkHapticSession> throughSession(
   return session;
 }
 
-/// Compares the tips and the sent forces, which only the servo step and the C interface have.
+/// Compares the tips and the sent forces, which only the servo step and the C interface report.
 bool sameDeviceSide(const std::vector<Tick>& servo, const std::vector<palpate_tick>& c)
 {
   bool same = servo.size() == c.size();
@@ -256,7 +256,8 @@ std::vector<palpate::DeviceSample> withHoles(std::vector<palpate::DeviceSample> 
   return samples;
 }
 
-/// Returns the numbers of all ticks, for a comparison of settings with one another.
+/// Checks that all four agree. Returns the numbers of all ticks, so that different settings can be
+/// compared.
 Numbers checkSettings(const Stage& stage, const palpate::ContactSettings& settings)
 {
   const std::vector<Tick> servo = throughServo(stage, stage.samples, settings);
@@ -291,7 +292,7 @@ int TestOnePath(int, char*[])
     for (const auto form : { palpate::ForceForm::Paper, palpate::ForceForm::NormalizedDirection,
            palpate::ForceForm::EnergyConsistent })
     {
-      for (const int friction : { -1, 0, 1, 2 }) // none, then the models
+      for (const int friction : { -1, 0, 1, 2 }) // no friction, then the models
       {
         palpate::ContactSettings settings;
         settings.form = form;

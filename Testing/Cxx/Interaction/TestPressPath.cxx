@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Positions and times of the path: depth below the surface, times from the speeds, direction of
-// pressing, smoothing. The body is not modified.
+// Positions and times of the path: depth below the surface, times according to the speeds,
+// direction of pressing, smoothing. The body is not modified.
 #include "Response/FilterChecks.h"
 #include "Response/TestBodies.h"
 
@@ -14,9 +14,9 @@ namespace
 using namespace palpate::testing;
 
 constexpr double Radius = 40.0;
-constexpr double Facets = 0.01; // mm and radians, for a sphere of 40 mm with facets of 0.8 mm
-/// At its ends the path averages the normals over 4 mm on one side only: the average is 2 mm away,
-/// 0.05 radians.
+constexpr double Facets = 0.01; // mm and rad, for a sphere of 40 mm with facets of 0.8 mm
+/// At its ends the path averages the normals over 4 mm on one side only. The mean place is 2 mm
+/// away, which is 0.05 rad.
 constexpr double OneSided = 0.05 * 0.05 / 2.0 + Facets * Facets;
 
 struct Path
@@ -67,12 +67,12 @@ void checkLine(const Path& path)
   }
 }
 
-/// Down, rest, up: 5 mm above to 1 mm below at 5 mm/s, two rests of a quarter second.
+/// Down, rest, up: from 5 mm above to 1 mm below at 5 mm/s, with two rests of a quarter second.
 void checkPress(vtkPolyData* body)
 {
   vtkNew<vtkPressPath> press;
   press->SetInputData(body);
-  press->AddDirection(0.0, 3.0, 4.0); // any length
+  press->AddDirection(0.0, 3.0, 4.0); // of any length
   const Path path(press);
   PALPATE_CHECK(path.size == 5);
   const double heights[5] = { 5.0, -1.0, -1.0, -1.0, 5.0 };
@@ -106,7 +106,7 @@ void checkSlide(vtkPolyData* body)
   press->SetSlideSpeed(20.0);
   const Path path(press);
   checkLine(path);
-  const vtkIdType steps = 360 + 180;                         // of a quarter of a degree
+  const vtkIdType steps = 360 + 180;                         // steps of a quarter of a degree
   PALPATE_CHECK(std::abs(path.size - (steps + 1 + 4)) <= 1); // one more if 90° is rounded up
   for (vtkIdType i = 1; i < path.size - 1; ++i)
   {
@@ -116,7 +116,8 @@ void checkSlide(vtkPolyData* body)
   const double sliding = path.time(path.size - 3) - path.time(2);
   PALPATE_CHECK_NEAR(sliding, length / 20.0, 0.01);
   PALPATE_CHECK_NEAR(path.time(path.size - 1), 2.9 + sliding, 1e-12);
-  // Through the directions between the given ones, in their plane: no detour.
+  // The path goes through directions between the given directions, in their plane, without a
+  // detour.
   for (vtkIdType i = 2; i < 360; ++i)
   {
     PALPATE_CHECK_NEAR(path.point(i)[2], 0.0, 3.0 * Facets);
@@ -125,7 +126,7 @@ void checkSlide(vtkPolyData* body)
     path.point(path.size - 1)[1], path.point(path.size - 1)[2], 2.0 * Facets * Radius);
 }
 
-/// The largest turn of the direction of pressing between neighbouring points, radians.
+/// Returns the largest turn of the direction of pressing between neighbouring points, rad.
 double largestTurn(const Path& path)
 {
   double largest = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Impossible paths: an error that names the direction and the number, and no output.
+// Impossible paths give an error that names the direction and the number, and no output.
 #include "Response/FilterChecks.h"
 #include "Response/TestBodies.h"
 
@@ -37,7 +37,7 @@ void checkDirections(vtkPolyData* body)
   checkRefused(press, messages, { "meets no surface" });
   press->RemoveAllDirections();
   press->AddDirection(0.0, 1.0, 0.0);
-  press->SetCenter(0.0, 60.0, 7.0); // outside: there is no surface in this direction
+  press->SetCenter(0.0, 60.0, 7.0); // outside the body: there is no surface in this direction
   checkRefused(press, messages, { "Direction (0, 1, 0) from (0, 60, 7)", "meets no surface" });
   press->SetCenter(0.0, 0.0, 0.0);
   press->Update();
@@ -46,7 +46,7 @@ void checkDirections(vtkPolyData* body)
   checkRefused(press, messages, { "body with triangles" });
 }
 
-/// Beyond the edge of a plate the path would continue far below.
+/// Beyond the edge of a plate, the path would continue far below the plate.
 void checkLeap()
 {
   const Body plate = planeBody(20.0, 10, 30.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A press of liver in a session: its loop in the recording, the file and the history; a replay
-// gives the same bits; the text of the caption.
+// A press on liver in a session: its force loop in the recording, the file and the history, a
+// replay with the same bits, and the text of the caption.
 #include "LiverSlab.h"
 #include "SceneParts.h"
 
@@ -102,8 +102,8 @@ void checkWords()
     scene->SetTool(makeTool("paraboloid:6.35"));
     scene->ShowSession(session);
     window->Render();
-    // 1.21 N by Hertz with E* = 13.3 kPa, times 2.42 for the layer (liver_slab_h10.csv), times
-    // 1.514 for the memory.
+    // 1.21 N by Hertz with E* = 13.3 kPa, multiplied by 2.42 for the layer (liver_slab_h10.csv) and
+    // by 1.514 for the memory.
     const std::string words = caption(renderer);
     PALPATE_CHECK((words.find("are memory (34 %)") != std::string::npos) == relaxes);
     PALPATE_CHECK((words.find("\nOf 1.8") != std::string::npos) == relaxes);

@@ -45,12 +45,12 @@ void checkLine(vtkChartXY* chart, int index, const char* label, int pen, double 
   PALPATE_CHECK_NEAR(columnEnd(plot, 0, true), to, 1e-12);
 }
 
-/// Rows are 0.02 mm apart, from 0 to 2 mm.
+/// Checks the lines. Rows are 0.02 mm apart, from 0 to 2 mm.
 void checkLines(vtkResponseChart* responses)
 {
   vtkChartXY* chart = responses->GetChart();
   PALPATE_CHECK(chart->GetNumberOfPlots() == 4);
-  checkLine(chart, 0, "flat", vtkPen::SOLID_LINE, 0.0, 2.0); // valid to the end
+  checkLine(chart, 0, "flat", vtkPen::SOLID_LINE, 0.0, 2.0); // valid up to the last row
   checkLine(chart, 1, "sphere", vtkPen::SOLID_LINE, 0.0, 1.0);
   checkLine(chart, 2, "", vtkPen::DOT_LINE, 1.0, 2.0); // no gap, no second entry in the legend
   checkLine(chart, 3, "cone (beyond validity)", vtkPen::DOT_LINE, 0.0, 2.0);
@@ -130,7 +130,7 @@ int TestResponseChart(int argc, char* argv[])
   fill(1.2);
   checkFaultShows("valid to 1.2 mm for 1.0 mm", sound, view->GetRenderWindow());
   fill(1.005);
-  checkSound(sound, view->GetRenderWindow()); // the removed curves leave no trace
+  checkSound(sound, view->GetRenderWindow()); // no part of the removed curves remains
   responses->GetChart()->GetAxis(vtkAxis::LEFT)->SetTitle("Force on the tool (mN)");
   checkFaultShows("another unit at the axis", sound, view->GetRenderWindow());
   responses->GetChart()->GetAxis(vtkAxis::LEFT)->SetTitle("Force on the tool (N)");

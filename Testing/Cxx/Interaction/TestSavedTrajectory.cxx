@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Replays the recorded hands in Data/Determinism over the saved body there. The resulting files
-// must be the same, byte by byte, for any version of VTK: numbers in them are read back to the same
-// bits. The only exception are functions of the C library such as pow, which round differently on a
-// processor without FMA. If they do, the numbers are compared to 1e-12.
+// must be the same, byte by byte, for any version of VTK; numbers in them are read back with the
+// same bits. The only exception is the rounding of functions of the C library such as pow, which
+// differs on a processor without FMA. In that case the numbers are compared to 1e-12.
 // palpateInteractionTests TestSavedTrajectory DATA compares
 // palpateInteractionTests TestSavedTrajectory FOLDER --write writes new body and files
 #include "EventfulPath.h"
@@ -66,7 +66,8 @@ std::string textOf(const std::string& path)
   return text.str();
 }
 
-/// The trajectory of `session` over Duration, as the text of a file, which remains at `path`.
+/// Returns the trajectory of `session` over Duration as the text of a file, which remains at
+/// `path`.
 std::string fileOf(vtkHapticSession* session, const std::string& path)
 {
   PALPATE_CHECK(session->Start());
@@ -93,7 +94,8 @@ void tellDifference(const std::string& name, const std::string& found, const std
   std::cerr << name << ": another number of lines\n";
 }
 
-/// A hash (FNV-1a) of the last bits of the C library's functions that a tick calls, as a line.
+/// Returns a line with a hash (FNV-1a) of the last bits of the C library's functions that a tick
+/// calls.
 std::string roundingOfLibrary()
 {
   std::uint64_t digest = 14695981039346656037ULL;
@@ -110,8 +112,8 @@ std::string roundingOfLibrary()
   return std::to_string(digest) + "\n";
 }
 
-/// True if the trajectories are equal except for the different rounding of these functions, half a
-/// unit of the last place each.
+/// Returns true if the trajectories are equal except for the different rounding of these functions,
+/// half a unit in the last place each.
 bool agree(const std::string& found, const std::string& stored)
 {
   std::istringstream one(found);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session's trajectory, written and read again, with time steps: the same bits as its recording.
+// The trajectory of a session is written and read again with time steps, and has the same bits as
+// the recording.
 #include "EventfulPath.h"
 #include "Response/FilterChecks.h"
 
@@ -33,7 +34,7 @@ void checkSame(vtkPolyData* read, vtkPolyData* recording, const char* name)
   }
 }
 
-/// The tips up to a time, compared with the times of the recording.
+/// Compares the tips up to a time with the times of the recording.
 void checkUpTo(vtkTrajectoryReader* reader, vtkPolyData* recording, double time)
 {
   reader->UpdateTimeStep(time);
@@ -86,7 +87,7 @@ void checkRecording()
   const double* range = info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   const double last =
     recording->GetPointData()->GetArray("Time")->GetTuple1(recording->GetNumberOfPoints() - 1);
-  // Every 20 ms from 0 to 2.48 s, and the last tick.
+  // The time steps are every 20 ms from 0 to 2.48 s, and the last tick.
   PALPATE_CHECK(range && range[0] == 0.0 && range[1] == last);
   PALPATE_CHECK(steps == 126);
   for (int i = 0; i + 1 < steps; ++i)
@@ -113,7 +114,8 @@ void write(const char* text)
   std::ofstream(File) << text;
 }
 
-/// A file with tips only; a changed file; a broken file; a missing file; another kind of file.
+/// Reads a file with tips only, a changed file, an invalid file, a missing file, and a file of
+/// another kind.
 void checkFiles()
 {
   vtkNew<vtkTrajectoryReader> reader;

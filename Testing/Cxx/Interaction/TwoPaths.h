@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of a scene, drawn by shader or by filter into one window, and measured pixel by pixel:
+// The body of a scene, drawn by shader or by filter in one window, and measured pixel by pixel:
 // distance, colours, cells.
 #ifndef palpate_testing_TwoPaths_h
 #define palpate_testing_TwoPaths_h
@@ -30,8 +30,8 @@ public:
   static constexpr int Size = 240;            // pixels
   static constexpr float Background = 0.999F; // value of the depth buffer
 
-  /// Looks at `focus` from `direction`, in parallel projection. The height of the picture is 2
-  /// `half` mm.
+  /// Sets a camera that looks at `focus` from `direction`, in parallel projection. The height of
+  /// the picture is 2 `half` mm.
   TwoPaths(vtkContactScene* scene, const Vector3& focus, const Vector3& direction, double half)
     : Shown(Size, Size)
     , Renderer(Shown.addRenderer())
@@ -48,7 +48,7 @@ public:
     this->Range = 10.0 * half;
     this->Renderer->AddActor(scene->GetBodyActor());
     this->Renderer->SetBackground(0.97, 0.97, 0.98);
-    vtkNew<vtkLight> light; // from the side, so that mirrored normals have different brightness
+    vtkNew<vtkLight> light; // from the side, so that mirrored normals have a different brightness
     light->SetLightTypeToCameraLight();
     light->SetPosition(0.5, 0.3, 1.0);
     this->Renderer->AutomaticLightCreationOff();
@@ -116,7 +116,7 @@ public:
     return found;
   }
 
-  /// The picture as a user sees it.
+  /// Returns the picture that a user sees.
   vtkSmartPointer<vtkImageData> picture(bool byShader)
   {
     this->Scene->SetDeflectionByShader(byShader);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of a bridge do not use the heap: alive, silent, during a new greeting, and
-// flooded.
+// read and write of a bridge do not use the heap: with a live or silent program, during a new
+// greeting, and when flooded.
 #include "AllocationCount.h"
 #include "Transports/Bridge/BridgeDevice.h"
 #include "BridgePeer.h"
@@ -71,7 +71,8 @@ TEST(BridgeAllocation, NoneInTheTick)
   {
     again += serve(peer);
     const bool silent = i % 1000 > 500;
-    for (int j = 0; !silent && j < (i % 100 == 0 ? 100 : 1); ++j) // more than one tick reads
+    // Sometimes more reports than one tick reads.
+    for (int j = 0; !silent && j < (i % 100 == 0 ? 100 : 1); ++j)
     {
       send(peer, static_cast<std::uint32_t>(200 * i + j));
     }

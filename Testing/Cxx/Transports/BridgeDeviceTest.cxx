@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bridge with a scripted device program at the other end, in virtual time: lost, late, damaged
-// and foreign datagrams, and a program that dies and returns.
+// and foreign datagrams, and a program that ends and returns.
 #include "Transports/Bridge/BridgeDevice.h"
 #include "Haptics/Servo/ServoStep.h"
 
@@ -37,12 +37,12 @@ DescriptionReport described()
   description.maximumDamping = 8.0;
   description.workspace = Vector3d::Constant(0.0625);
   description.rate = 1000.0;
-  description.sampleTimeOut = 0.0205; // between two ticks
+  description.sampleTimeOut = 0.0205; // s; between two ticks
   description.name = { 'T', 'e', 's', 't' };
   return description;
 }
 
-/// A device's program: answers greetings, keeps the last force, sends the states given to it.
+/// A device's program: answers greetings, stores the last force, and sends the states given to it.
 class Program
 {
 public:
@@ -109,7 +109,7 @@ std::string addressOf(const std::string& kind, const std::string& path)
   return kind == "unix" ? "unix:" + path : "udp:0";
 }
 
-/// Opening waits for an answer, so the program serves in the meantime.
+/// Opens the device. Opening waits for an answer, so the program is served in the meantime.
 std::unique_ptr<BridgeDevice> opened(Program& program)
 {
   std::string error;
@@ -133,7 +133,7 @@ protected:
     , device(opened(*this->program))
   {
   }
-  /// One tick of both; the program's state comes first.
+  /// One tick of both sides; the program's state is sent first.
   DeviceSample tick(const Vector3d& position = Vector3d::Zero())
   {
     this->time += 1e-3;
@@ -159,10 +159,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
 {
-  EXPECT_FALSE(isTold(tick().orientation)); // the program reports none
+  EXPECT_FALSE(isTold(tick().orientation)); // the program reports no orientation
   EXPECT_TRUE(device->writeWrench({ { 1, 0, 0 }, { 0.1, 0, 0 } }));
   program->serve();
-  EXPECT_EQ(program->force.torque, Vector3d::Zero()); // and does not accept a torque
+  EXPECT_EQ(program->force.torque, Vector3d::Zero()); // and it accepts no torque
   EXPECT_EQ(program->force.force, Vector3d(1, 0, 0));
 
   device.reset();
@@ -183,7 +183,8 @@ TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
   EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0.25, 0, 0 } }));
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d(0.25, 0, 0));
-  EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0, -3.0, 0 } })); // shortened
+  // The torque is reduced to the limit.
+  EXPECT_TRUE(device->writeWrench({ { 0, 1, 0 }, { 0, -3.0, 0 } }));
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d(0, -0.5, 0));
   EXPECT_EQ(program->force.force, Vector3d(0, 1, 0));
@@ -191,7 +192,7 @@ TEST_P(Bridge, OrientationComesInAndTorqueGoesOut)
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d::Zero());
   EXPECT_EQ(program->force.force, Vector3d::Zero());
-  EXPECT_TRUE(device->write({ 0, 1, 0 })); // a force without a torque sets the torque to zero
+  EXPECT_TRUE(device->write({ 0, 1, 0 })); // a force without a torque resets the torque to zero
   program->serve();
   EXPECT_EQ(program->force.torque, Vector3d::Zero());
 }
@@ -204,7 +205,7 @@ TEST_P(Bridge, ExchangesPositionsAndForces)
   EXPECT_FALSE(device->write({ 1, 0, 0 })) << "before the first state";
   for (int i = 1; i <= 1000; ++i)
   {
-    const DeviceSample sample = tick({ 0.0, 0.0, 0x1p-16 * i }); // exact in a float
+    const DeviceSample sample = tick({ 0.0, 0.0, 0x1p-16 * i }); // the position is exact in a float
     ASSERT_TRUE(sample.valid && sample.fresh) << i;
     ASSERT_EQ(sample.position.z(), 0x1p-16 * i);
     ASSERT_TRUE(device->write({ 0.0, 0x1p-9 * i, 0.0 }));
@@ -237,17 +238,17 @@ TEST_P(Bridge, CountsWhatIsLostLateAndRepeated)
 {
   tick({ 0.25, 0, 0 });
   const std::uint32_t first = program->sequence;
-  program->send(first + 5, { 0.5, 0, 0 }); // four lost
+  program->send(first + 5, { 0.5, 0, 0 }); // four reports are lost
   EXPECT_EQ(silentTick().position.x(), 0.5);
-  program->send(first + 3, { 0.75, 0, 0 }); // late
+  program->send(first + 3, { 0.75, 0, 0 }); // late report
   DeviceSample sample = silentTick();
   EXPECT_TRUE(sample.valid);
   EXPECT_FALSE(sample.fresh);
   EXPECT_EQ(sample.position.x(), 0.5);
-  program->send(first + 5, { 0.75, 0, 0 }); // repeated
+  program->send(first + 5, { 0.75, 0, 0 }); // repeated report
   EXPECT_EQ(silentTick().position.x(), 0.5);
   program->send(first + 6, { 1, 0, 0 });
-  program->send(first + 7, { 2, 0, 0 }); // the newest of several
+  program->send(first + 7, { 2, 0, 0 }); // the newest of several reports
   EXPECT_EQ(silentTick().position.x(), 2.0);
   EXPECT_EQ(device->errors().lost, 4U);
   EXPECT_EQ(device->errors().stale, 2U);
@@ -267,7 +268,7 @@ TEST_P(Bridge, CountsWhatIsMalformed)
   program->Peer.send(longer.data(), longer.size());
   program->Peer.send(good.data(), good.size() - 1);
   program->Peer.send(good.data(), 0);
-  for (const std::size_t byte : { 0, 1, 2, 16, 60 }) // mark, kind, version, position, check sum
+  for (const std::size_t byte : { 0, 1, 2, 16, 60 }) // mark, kind, version, position, checksum
   {
     HapticReportBytes bad = good;
     bad[byte] = static_cast<std::uint8_t>(bad[byte] ^ 0x81);
@@ -322,7 +323,8 @@ TEST_P(Bridge, NoForceInTheFirstTickAfterTheTimeOut)
     ASSERT_LT(++ticks, 100) << device->specification().sampleTimeOut;
   }
   EXPECT_EQ(servo(DeviceSample()), Vector3d::Zero());
-  EXPECT_NEAR(time - last, 0.021, 1e-6); // the first tick beyond 20.5 ms; a sum of milliseconds
+  // The first tick after 20.5 ms; time is a sum of milliseconds.
+  EXPECT_NEAR(time - last, 0.021, 1e-6);
   program->serve();
   EXPECT_FALSE(program->force.enable);
   EXPECT_EQ(program->force.force, Vector3d::Zero());
@@ -332,7 +334,7 @@ TEST_P(Bridge, NoForceInTheFirstTickAfterTheTimeOut)
 
 TEST_P(Bridge, AProgramThatDiesAndReturnsIsUsedAgain)
 {
-  const std::string address = program->Peer.address(); // also the same port
+  const std::string address = program->Peer.address(); // includes the port, which is used again
   for (int round = 0; round < 5; ++round)
   {
     ASSERT_TRUE(tick().valid || tick().valid) << round;
@@ -345,7 +347,7 @@ TEST_P(Bridge, AProgramThatDiesAndReturnsIsUsedAgain)
     EXPECT_FALSE(silentTick().valid);
     EXPECT_EQ(device->status(), "silent, waiting for it to return");
     program = std::make_unique<Program>(address);
-    program->sequence = 17; // its numbers restart
+    program->sequence = 17; // its numbers start again
     for (int i = 0; i < 400 && !tick().valid; ++i)
     {
     }
@@ -404,7 +406,7 @@ TEST_P(Bridge, AnAnswerToAnotherGreetingIsNone)
   {
     ASSERT_FALSE(tick().valid);
   }
-  EXPECT_GE(device->errors().malformed, 2U); // four greetings a second, 0.6 s
+  EXPECT_GE(device->errors().malformed, 2U); // four greetings per second for 0.6 s
 }
 
 TEST_P(Bridge, AFaultTakesTheForceAway)

@@ -20,7 +20,7 @@
 
 namespace palpate::testing
 {
-/// A temporary folder for sockets, with a short name, since paths of sockets must be short. It is
+/// A temporary folder for sockets. Its name is short, because paths of sockets must be short. It is
 /// removed at the end.
 class SocketFolder
 {
@@ -41,7 +41,7 @@ private:
   std::string Path = ::testing::TempDir() + "palpate-XXXXXX";
 };
 
-/// A device's program at its socket, controlled step by step by the test.
+/// A device's program at its socket, which the test controls step by step.
 class BridgePeer
 {
 public:
@@ -104,7 +104,7 @@ public:
   {
     sendto(this->File, bytes, size, MSG_DONTWAIT, &this->Host.any, this->HostSize);
   }
-  /// Sends to the host of another peer from now on.
+  /// From now on, sends to the host of another peer.
   void imitate(const BridgePeer& other)
   {
     this->Host = other.Host;

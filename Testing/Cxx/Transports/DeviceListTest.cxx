@@ -27,8 +27,8 @@ std::shared_ptr<FakeHidDevice> made(const std::string& path, std::uint16_t vendo
 
 void plugOneOfEach(FakeHidBus& bus)
 {
-  bus.plug(made("/dev/hidraw4", 0x256F, 0xC652, 1, 2)); // a receiver: a mouse …
-  bus.plug(made("/dev/hidraw4", 0x256F, 0xC652, 1, 8)); // … and six axes, on one path
+  bus.plug(made("/dev/hidraw4", 0x256F, 0xC652, 1, 2)); // a receiver: a mouse, and
+  bus.plug(made("/dev/hidraw4", 0x256F, 0xC652, 1, 8)); // six axes on the same path
   bus.plug(made("/dev/hidraw4", 0x256F, 0xC652, 0, 0));
   bus.plug(made("/dev/hidraw0", 0x1209, 0x0001, 0xFF00, 0x50));
   bus.plug(made("/dev/hidraw1", 0x046D, 0xC31C, 1, 6));      // a keyboard

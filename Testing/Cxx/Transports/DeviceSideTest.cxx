@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The device's side in C against the host's in C++: each reads the other's output. And the duties
-// of a device alone: watchdog, enable flag and its own limit.
+// The device's side in C and the host's side in C++: each reads the other's output. Also the
+// functions of the device's side alone: watchdog, enable flag and its own limit.
 #include "Transports/Hid/HapticReport.h"
 #include "KnownReports.h"
 #include "Transports/Hid/ReportSequence.h"
@@ -32,7 +32,7 @@ struct Device
     pack(report, bytes);
     return palpate_hid_receive(&this->hid, bytes.data(), bytes.size(), now);
   }
-  /// The force on the motors; `on` is true if the amplifiers are on.
+  /// Returns the force on the motors; `on` is set to true if the amplifiers are on.
   Vector3d force(std::uint64_t now, bool& on)
   {
     float force[3];
@@ -62,7 +62,7 @@ TEST(DeviceSide, TheHostReadsItsStates)
     0x80000001, true, {} };
   HapticReportBytes bytes;
   palpate_hid_state(&device.hid, 0x0102030405060708, &reading, bytes.data());
-  bytes[3] |= 1; // amplifiers on, as in the known report; there was no force here
+  bytes[3] |= 1; // amplifiers on, as in the known report; this device had no force
   const std::uint32_t sum = palpate_hid_check_sum(bytes.data(), 60);
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -182,7 +182,8 @@ TEST(DeviceSide, TheForceIsWithinItsOwnLimit)
 
 TEST(DeviceSide, ItsDescriptorIsThatOfAVendorDevice)
 {
-  // Items as in Device Class Definition for HID 1.11, 6.2.2: the low two bits give the size.
+  // Items of a report descriptor, Device Class Definition for HID 1.11, 6.2.2: the low two bits
+  // give the size.
   std::size_t at = 0;
   int depth = 0;
   int mains = 0;

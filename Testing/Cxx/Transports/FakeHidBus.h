@@ -16,7 +16,7 @@
 
 namespace palpate::testing
 {
-/// The far side of a fake HID device: sent and received reports, and its faults.
+/// The device's end of a fake HID device: sent and received reports, and its faults.
 class FakeHidDevice
 {
 public:
@@ -46,9 +46,9 @@ public:
   /// `yes`: writes fail although the device is plugged in.
   void refuse(bool yes);
 
-  /// All reports sent to it so far.
+  /// Returns all reports that were sent to the device so far.
   std::vector<std::vector<std::uint8_t>> written() const;
-  ForceReport lastForce() const; ///< a default one if there is none or if the last is invalid
+  ForceReport lastForce() const; ///< a default report if there is none or if the last is invalid
   int openPorts() const;
 
 private:
@@ -66,12 +66,12 @@ private:
   int Ports = 0;
 };
 
-/// A bus with such devices. It must outlive its users.
+/// A bus with fake devices. It must outlive its users.
 class FakeHidBus final : public HidBus
 {
 public:
   void plug(std::shared_ptr<FakeHidDevice> device);
-  /// Also removes it from the list.
+  /// Unplugs a device and removes it from the list.
   void unplug(const std::string& path);
   void setObstacle(const std::string& path, const std::string& words);
 
@@ -86,8 +86,8 @@ private:
   std::string Obstacle;
 };
 
-/// Waits until the condition holds, at most a minute. For actions of another thread, which take
-/// milliseconds unless the machine is busy.
+/// Waits until the condition holds, at most a minute. Used for actions of another thread, which
+/// take milliseconds unless the machine is busy.
 template <class Condition>
 bool eventually(const Condition& condition)
 {

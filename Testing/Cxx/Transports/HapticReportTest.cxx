@@ -176,8 +176,8 @@ TEST(HapticReport, ANameOfAllItsBytesNeedsNoZero)
 
 TEST(HapticReport, NoiseIsNoReport)
 {
-  // A fraction of 2⁻³² of random data with the right mark and version passes the checksum: of 10⁶,
-  // none is expected.
+  // Random data with the right mark and version pass the checksum with a probability of 2⁻³². Of
+  // 10⁶ reports, none is expected to pass.
   std::mt19937 random(20260801);
   for (int i = 0; i < 1000000; ++i)
   {
@@ -229,7 +229,7 @@ TEST(DescribedSpecification, WhatIsAbsurdIsReplacedByWhatIsCareful)
     EXPECT_EQ(limits.workspace, careful.workspace);
     EXPECT_EQ(limits.rate, careful.rate);
     EXPECT_EQ(limits.sampleTimeOut, careful.sampleTimeOut);
-    EXPECT_EQ(std::count(replaced.begin(), replaced.end(), ';'), 8); // nine values
+    EXPECT_EQ(std::count(replaced.begin(), replaced.end(), ';'), 8); // nine values are replaced
     EXPECT_NE(replaced.find("maximum force "), std::string::npos) << replaced;
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read and write of the HID devices do not use the heap, connected or not.
+// read and write of the HID devices do not use the heap, whether connected or not.
 #include "AllocationCount.h"
 #include "FakeHidBus.h"
 #include "Transports/Hid/HidDevice.h"
@@ -60,7 +60,7 @@ TEST(HidAllocation, ForceDevice)
       {
         ++state.sequence;
         state.fault =
-          i % 50 == 24; // not in the last: should this thread end first, ticks are valid
+          i % 50 == 24; // not in the last state, so that ticks are valid if this thread ends first
         far->send(state);
         std::this_thread::sleep_for(std::chrono::microseconds(500));
       }

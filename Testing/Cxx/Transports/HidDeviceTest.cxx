@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HidDevice between a tick and a device with any behaviour, on an emulated bus, so that the
-// sanitizers see its threads. The same with the real hidapi: Testing/Devices.
+// HidDevice between a tick and a device with arbitrary behaviour, on an emulated bus, so that the
+// sanitizers see its threads. The tests with the real hidapi are in Testing/Devices.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -31,7 +31,7 @@ HidEntry entryAtPath(const std::string& path)
   return entry;
 }
 
-/// A force device on a bus with the host's end of it.
+/// A force device on a bus, with the host's device object.
 struct Bench
 {
   FakeHidBus bus;
@@ -159,12 +159,12 @@ TEST(HidDevice, WhatIsNoneIsCountedAndNotUsed)
   HapticReportBytes bytes;
   pack(wrong, bytes);
   bench.far->send(bytes.data(), 10); // too short
-  bytes[2] = 2;                      // another version
+  bytes[2] = 2;                      // wrong version
   bench.far->send(bytes.data(), bytes.size());
   pack(wrong, bytes);
-  bytes[30] ^= 1; // damaged
+  bytes[30] ^= 1; // wrong checksum
   bench.far->send(bytes.data(), bytes.size());
-  bench.far->send(knownForce()); // another kind
+  bench.far->send(knownForce()); // wrong kind
   wrong.position.x() = std::nan("");
   bench.far->send(wrong);
   ASSERT_TRUE(eventually([&] { return bench.device->errors().malformed == 5; }));
@@ -179,11 +179,11 @@ TEST(HidDevice, OldReportsAreNotUsedAndLostOnesCounted)
 {
   Bench bench;
   ASSERT_TRUE(bench.connect());
-  bench.sequence += 3; // three are lost
+  bench.sequence += 3; // three reports are lost
   bench.sendState({ 0.5, 0.0, 0.0 });
   ASSERT_TRUE(bench.arrives({ 0.5, 0.0, 0.0 }));
   EXPECT_EQ(bench.device->errors().lost, 3U);
-  bench.sequence -= 2; // one arrives late, and another twice
+  bench.sequence -= 2; // one report arrives late, and another twice
   bench.sendState({ 0.75, 0.0, 0.0 });
   bench.sendState({ 0.75, 0.0, 0.0 });
   ASSERT_TRUE(eventually([&] { return bench.device->errors().stale == 2; }));
@@ -258,8 +258,8 @@ TEST(HidDevice, AFaultTakesTheForceAway)
 
 TEST(HidDevice, UnpluggedInMidContactAndBack)
 {
-  // In the first tick after the report of the loss the sample is always invalid and no force is
-  // accepted. The device returns at one of two paths with its own number.
+  // In the first tick after the report of the loss, the sample is always invalid and no force is
+  // accepted. The device returns with its serial number, at one of two paths.
   Bench bench;
   ASSERT_TRUE(bench.connect());
   for (int round = 0; round < 8; ++round)

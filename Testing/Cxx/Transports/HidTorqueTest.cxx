@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A HID device that reports the orientation of its tool and receives a torque; and one that does
-// neither.
+// A HID device that reports the orientation of its tool and receives a torque; and a HID device
+// that does neither.
 #include "Transports/Hid/HidDevice.h"
 
 #include "FakeHidBus.h"
@@ -21,7 +21,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A force device on a bus with the host's end of it.
+/// A force device on a bus, with the host's device object.
 struct Bench
 {
   FakeHidBus bus;
@@ -45,7 +45,8 @@ struct Bench
     EXPECT_EQ(error, "");
   }
 
-  /// Sends a state with this x and orientation. Returns the sample in which the tick reads it.
+  /// Sends a state with this x and orientation. Returns the sample that the tick reads from this
+  /// state.
   DeviceSample tell(double x, const ToolOrientation& orientation)
   {
     StateReport state;
@@ -76,7 +77,7 @@ struct Bench
 
 TEST(HidTorque, OrientationComesInAndTorqueGoesOut)
 {
-  Bench bench(knownTorqueDescription()); // 0.25 N m
+  Bench bench(knownTorqueDescription()); // the limit is 0.25 N m
   EXPECT_FALSE(isTold(bench.tell(0.25, orientationNotTold()).orientation));
   const ToolOrientation turned = turnedBy(Vector3d(0.3, 0.0, -0.1));
   const ToolOrientation told = bench.tell(0.5, turned).orientation;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which reports are new: gaps, old ones, wrap-around of the number, a device that restarts.
+// Decides which reports are new: gaps, old reports, wrap-around of the number, a device that
+// restarts.
 #include "Transports/Hid/ReportSequence.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ TEST(ReportSequence, OldAndRepeatedAreStale)
   EXPECT_EQ(sequence.judge(100), Verdict::Stale);
   EXPECT_EQ(sequence.judge(99), Verdict::Stale);
   EXPECT_EQ(sequence.judge(101), Verdict::New);
-  for (int i = 0; i < 1000; ++i) // a device that hangs repeats its report forever
+  for (int i = 0; i < 1000; ++i) // a device that hangs repeats its report
   {
     ASSERT_EQ(sequence.judge(101), Verdict::Stale);
   }

@@ -46,8 +46,8 @@ struct Bench
     this->bus.plug(this->far);
   }
 
-  /// Counts to the right, towards the user and down. Waits for the button, which shows that the
-  /// counts have been read.
+  /// Sends counts to the right, towards the user and down. Waits for the button, which shows that
+  /// the counts have been read.
   bool push(int x, int y, int z)
   {
     const auto low = [](int value) { return static_cast<std::uint8_t>(value & 0xFF); };
@@ -98,7 +98,7 @@ TEST(SpaceMouse, RateModeMovesWhileItIsPushed)
   // Explicit Euler at 1 ms is ahead by half the path of a tick.
   const double way = 0.05 * (0.2 - 0.02 * (1.0 - std::exp(-10.0)));
   EXPECT_NEAR(moved.position.x(), way, 0.05 * Period);
-  EXPECT_NEAR(moved.velocity.x(), 0.05, 1e-4); // e⁻¹⁰ of it is missing
+  EXPECT_NEAR(moved.velocity.x(), 0.05, 1e-4); // a fraction of e⁻¹⁰ is missing
   EXPECT_EQ(moved.position.y(), 0.0);
   ASSERT_TRUE(bench.push(0, 0, 0));
   const DeviceSample after = bench.run(1.0);
@@ -110,7 +110,7 @@ TEST(SpaceMouse, RateModeStopsWhenReportsStop)
 {
   Bench bench(SpaceMouseMode::Rate);
   bench.run(Period);
-  ASSERT_TRUE(bench.push(0, 0, -350)); // up
+  ASSERT_TRUE(bench.push(0, 0, -350)); // a push upward
   bench.run(0.5);
   const DeviceSample sample = bench.run(0.5);
   EXPECT_NEAR(sample.position.y(), 0.05 * 0.25, 0.05 * 3 * Period) << "longestSilence";
@@ -136,7 +136,8 @@ TEST(SpaceMouse, PositionModeStandsWhereTheCapIs)
   bench.run(Period);
   ASSERT_TRUE(bench.push(350, 0, 0));
   EXPECT_NEAR(bench.run(2.0).position.x(), 0.05, 1e-12);
-  ASSERT_TRUE(bench.push(184, 0, 0)); // 0.52571 of full deflection; (0.52571 − 0.05) / 0.95
+  // 0.52571 of full deflection, which gives (0.52571 − 0.05) / 0.95
+  ASSERT_TRUE(bench.push(184, 0, 0));
   EXPECT_NEAR(bench.run(2.0).position.x(), 0.05 * (184.0 / 350.0 - 0.05) / 0.95, 1e-12);
   ASSERT_TRUE(bench.push(17, 0, 0)); // 0.0486: within the dead zone
   EXPECT_NEAR(bench.run(2.0).position.x(), 0.0, 1e-12);

@@ -21,7 +21,7 @@ bool take(const std::vector<std::uint8_t>& report, SpaceMouseState& state)
 TEST(SpaceMouseReport, ClassicLayout)
 {
   SpaceMouseState state;
-  // right 350 (0x015E), towards the user −350 (0xFEA2), down 175 (0x00AF)
+  // Right 350 (0x015E), towards the user −350 (0xFEA2), down 175 (0x00AF).
   ASSERT_TRUE(take({ 1, 0x5E, 0x01, 0xA2, 0xFE, 0xAF, 0x00 }, state));
   EXPECT_EQ(state.push, Vector3d(1.0, -0.5, -1.0)) << "right, up, towards the user";
   EXPECT_EQ(state.turn, Vector3d::Zero());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Orientation and torque in the 64-byte reports, from both sides; and compatibility with an older
-// side that has neither.
+// side that supports neither.
 #include "Transports/Hid/HapticReport.h"
 
 #include "KnownReports.h"
@@ -22,8 +22,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Components are sent in single precision, 6e-8 of at most 1. The fourth follows from three, with
-/// at most √3 times that error.
+/// Components are sent in single precision, with an error of 6e-8 of at most 1. The fourth
+/// component is computed from the other three, with at most √3 times this error.
 constexpr double Single = 2e-7;
 
 void putSingle(HapticReportBytes& bytes, std::size_t offset, float value)
@@ -115,7 +115,7 @@ TEST(TorqueReport, ADeviceOfBeforeTellsNoTurnAndNoTorque)
   ForceReport force = knownTorque();
   ASSERT_EQ(parse(ForceBytes.data(), 64, force), ReportDefect::None);
   EXPECT_EQ(force.torque, Vector3d::Zero());
-  // An older host reads the name up to its zero. All other bytes are as before.
+  // An older host reads the name up to its zero byte. All other bytes are as before.
   HapticReportBytes seen = TorqueDescriptionBytes;
   EXPECT_EQ(seen[43], 0);
   seen[3] = DescriptionBytes[3];
@@ -160,11 +160,11 @@ TEST(TorqueReport, TheDeviceKeepsItsOwnLimitAndLetsGo)
   palpate_hid hid{};
   palpate_hid_start(&hid, 6.0F, 20000);
   float torque[3] = { 1.0F, 1.0F, 1.0F };
-  EXPECT_FALSE(palpate_hid_torque(&hid, 1, torque)); // none has come yet
+  EXPECT_FALSE(palpate_hid_torque(&hid, 1, torque)); // no torque has arrived yet
   EXPECT_EQ(torque[0], 0.0F);
   ASSERT_TRUE(palpate_hid_receive(&hid, TorqueBytes.data(), TorqueBytes.size(), 1000));
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
-  EXPECT_EQ(torque[0], 0.0F); // firmware without torque support gets none
+  EXPECT_EQ(torque[0], 0.0F); // firmware without torque support receives no torque
   hid.maximum_torque = 1.0F;
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
   EXPECT_EQ(torque[0], 0.0625F);
@@ -172,9 +172,10 @@ TEST(TorqueReport, TheDeviceKeepsItsOwnLimitAndLetsGo)
   EXPECT_EQ(torque[2], 2e-3F);
   hid.maximum_torque = 0.05F;
   EXPECT_TRUE(palpate_hid_torque(&hid, 1001, torque));
-  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F); // rounding of a single
+  // Single-precision rounding
+  EXPECT_NEAR(std::hypot(torque[0], torque[1], torque[2]), 0.05F, 1e-8F);
   EXPECT_LT(torque[1], 0.0F);
-  EXPECT_FALSE(palpate_hid_torque(&hid, 1000 + 20001, torque)); // the watchdog
+  EXPECT_FALSE(palpate_hid_torque(&hid, 1000 + 20001, torque)); // the watchdog has ended the torque
   EXPECT_EQ(torque[1], 0.0F);
 }
 

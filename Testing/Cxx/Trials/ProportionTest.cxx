@@ -11,7 +11,7 @@ using palpate::proportionOf;
 
 TEST(Proportion, IntervalOfNoneAndOfAllInClosedForm)
 {
-  // No success of n: p with (1-p)^n = 0.025. All of n: p^n = 0.025.
+  // For no success in n: p with (1-p)^n = 0.025. For n successes in n: p^n = 0.025.
   for (const int n : { 1, 10, 37, 1000 })
   {
     const double root = std::pow(0.025, 1.0 / n);
@@ -29,14 +29,14 @@ TEST(Proportion, PublishedIntervals)
   EXPECT_NEAR(peas.share, 0.7372973, 5e-8);
   EXPECT_NEAR(peas.lower, 0.7076683, 5e-8);
   EXPECT_NEAR(peas.upper, 0.7654066, 5e-8);
-  // 5 of 10, as in every table of this interval, to four digits.
+  // 5 of 10, to four digits, from published tables of this interval.
   EXPECT_NEAR(proportionOf(5, 10).lower, 0.1871, 5e-5);
   EXPECT_NEAR(proportionOf(5, 10).upper, 0.8129, 5e-5);
 }
 
 TEST(Proportion, TailsAreThoseOfTheBinomialDistribution)
 {
-  // Small enough to sum with exact coefficients.
+  // n is small enough for a sum with exact coefficients.
   const double coefficients[] = { 1, 7, 21, 35, 35, 21, 7, 1 };
   for (int k = 1; k < 7; ++k)
   {
@@ -76,7 +76,8 @@ TEST(Proportion, OfNoTrialsNothingIsKnown)
 
 TEST(Proportion, NormalQuantile)
 {
-  // Abramowitz and Stegun, Handbook of Mathematical Functions, table 26.5, and its symmetry.
+  // Abramowitz and Stegun, Handbook of Mathematical Functions, table 26.5; and the symmetry of the
+  // function.
   EXPECT_NEAR(normalQuantile(0.75), 0.674489750196082, 1e-13);
   EXPECT_NEAR(normalQuantile(0.975), 1.959963984540054, 1e-13);
   EXPECT_NEAR(normalQuantile(0.001), -3.090232306167814, 1e-13);

@@ -107,7 +107,7 @@ TEST(TrialLog, ReadsBack)
 
 TEST(TrialLog, KeepsEachAnswerAtOnce)
 {
-  // Read while the log is still open, as after an interrupted session.
+  // The log is read while it is still open, as after an interrupted session.
   const ScratchFile file(".csv");
   TrialLog log;
   ASSERT_EQ(log.open(file.path(), sampleHead()), "");
@@ -151,12 +151,12 @@ TEST(TrialLog, OnAFullDiskTheAnswersBeforeStayReadable)
   const std::string before = contentOf(file.path());
   std::string error;
   {
-    const palpate::testing::FileSizeLimit full(before.size() + 5); // a part of a row
+    const palpate::testing::FileSizeLimit full(before.size() + 5); // space for a part of a row
     error = log.append(Answers[1]);
   }
   EXPECT_EQ(error, "cannot write the trial log '" + file.path() + "': File too large");
   EXPECT_EQ(contentOf(file.path()), before);
-  // There is space again, but a log with a gap would number its answers wrongly.
+  // There is space again, but appending to a log with a gap would number its answers wrongly.
   EXPECT_THAT(log.append(Answers[2]), HasSubstr(file.path()));
   TrialRecord record;
   ASSERT_EQ(readTrialLog(file.path(), record), "");
@@ -227,9 +227,9 @@ TEST(TrialLog, BadFilesAreNamedWithTheirLine)
     { replaced("# started", "# ended"), ":11:" },
     { good.substr(0, good.find("# seed")), ":7: there is no line" },
     { replaced("# alternative B: friction=0.3\n# intensity B: 2.5\n", ""), ":10: the head" },
-    { replaced("1,A,B,X,A,0,", "2,A,B,X,A,0,"), ":13:" }, // not the first
-    { replaced("1,A,B,X,A,0,", "1,A,B,X,B,0,"), ":13:" }, // X was chosen, which was A
-    { replaced("1,A,B,X,A,0,", "1,A,B,X,A,1,"), ":13:" }, // the weaker one is not correct
+    { replaced("1,A,B,X,A,0,", "2,A,B,X,A,0,"), ":13:" }, // does not begin with 1
+    { replaced("1,A,B,X,A,0,", "1,A,B,X,B,0,"), ":13:" }, // X was chosen, and X was A
+    { replaced("1,A,B,X,A,0,", "1,A,B,X,A,1,"), ":13:" }, // the weaker alternative is not correct
     { replaced("1,A,B,X,A,0,", "1,A,C,X,A,0,"), ":13:" }, // there is no C
     { replaced("1,A,B,X,A,0,", "1,A,A,X,A,0,"), ":13:" }, // compared with itself
     { replaced("1,A,B,X,A,0,", "1,A,B,Z,A,0,"), ":13:" }, // neither X nor Y

@@ -48,7 +48,7 @@ TEST(TrialPlan, TheSeedIsTheOrder)
 {
   EXPECT_EQ(pairsOf(planTrials(4, 10, 3)), pairsOf(planTrials(4, 10, 3)));
   EXPECT_NE(pairsOf(planTrials(4, 10, 3)), pairsOf(planTrials(4, 10, 4)));
-  // A plan with more rounds begins with the same ones.
+  // A plan with more rounds begins with the same rounds.
   auto longer = pairsOf(planTrials(4, 11, 3));
   longer.resize(120);
   EXPECT_EQ(longer, pairsOf(planTrials(4, 10, 3)));
@@ -56,7 +56,8 @@ TEST(TrialPlan, TheSeedIsTheOrder)
 
 TEST(TrialPlan, AllOrdersOfARoundAreEquallyLikely)
 {
-  // Two alternatives: (A, B) first or (B, A) first in each round. Three: 720 orders of six.
+  // Two alternatives: in each round, (A, B) or (B, A) is first. Three alternatives: six pairs in
+  // 720 orders.
   const int rounds = 2000;
   const auto two = pairsOf(planTrials(2, rounds, 11));
   int firstAB = 0;
@@ -64,7 +65,8 @@ TEST(TrialPlan, AllOrdersOfARoundAreEquallyLikely)
   {
     firstAB += two[i].first == 0 ? 1 : 0;
   }
-  // Four deviations of a fair coin: one seed in 16 000 fails, this one is fixed.
+  // Tolerance: four standard deviations of a fair coin. One seed in 16 000 would fail, but the seed
+  // is fixed.
   EXPECT_NEAR(firstAB, rounds / 2, 4.0 * std::sqrt(rounds / 4.0));
   const auto three = pairsOf(planTrials(3, rounds, 12));
   std::map<std::pair<int, std::pair<int, int>>, int> atPlace;
@@ -75,7 +77,7 @@ TEST(TrialPlan, AllOrdersOfARoundAreEquallyLikely)
   EXPECT_EQ(atPlace.size(), 36U);
   for (const auto& [place, count] : atPlace)
   {
-    EXPECT_NEAR(count, rounds / 6.0, 4.5 * std::sqrt(rounds * 5.0 / 36.0)); // 36 of them
+    EXPECT_NEAR(count, rounds / 6.0, 4.5 * std::sqrt(rounds * 5.0 / 36.0)); // checked 36 times
   }
 }
 

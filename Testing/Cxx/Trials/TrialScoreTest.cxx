@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 
 namespace
 {
-/// `right` correct answers out of `trials`, between 1 N and 3 N; X is always the stronger.
+/// Makes a record with `right` correct answers out of `trials`, between 1 N and 3 N; X is always
+/// the stronger alternative.
 TrialRecord answered(int right, int trials)
 {
   TrialRecord record;
@@ -31,7 +32,7 @@ TrialRecord answered(int right, int trials)
   return record;
 }
 
-/// A standard normal number that is equal with every library (Box and Muller).
+/// Returns a standard normal number, which is the same with every library (Box and Muller).
 double normalNumber(std::mt19937_64& random)
 {
   const auto uniform = [&random] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
@@ -55,9 +56,10 @@ TEST(TrialScore, CountsByPairs)
   EXPECT_EQ(score.pairs[0].firstChosen.trials, 3);
   EXPECT_TRUE(score.pairs[0].hasRightAnswer);
   EXPECT_EQ(score.pairs[0].correct.successes, 2);
-  EXPECT_NEAR(score.pairs[0].difference, 2.0 / 3.0, 1e-15); // 1 relative to the mean 1.5
-  EXPECT_EQ(score.pairs[1].firstChosen.successes, 2);       // b, first as Y, then as X
-  EXPECT_FALSE(score.pairs[1].hasRightAnswer);              // both are equal
+  // A difference of 1 relative to the mean of 1.5.
+  EXPECT_NEAR(score.pairs[0].difference, 2.0 / 3.0, 1e-15);
+  EXPECT_EQ(score.pairs[1].firstChosen.successes, 2); // b was chosen, first as Y, then as X
+  EXPECT_FALSE(score.pairs[1].hasRightAnswer);        // both alternatives are equal
   EXPECT_EQ(score.xChosen.successes, 4);
   EXPECT_EQ(score.xChosen.trials, 5);
   record.head.hasRightAnswer = false;
@@ -66,16 +68,17 @@ TEST(TrialScore, CountsByPairs)
 
 TEST(TrialScore, JustNoticeableDifference)
 {
-  // At the criterion itself the difference, 2 N relative to a mean of 2 N, is the just-noticeable
-  // one.
+  // At exactly the criterion, the difference of 2 N relative to a mean of 2 N is the
+  // just-noticeable difference.
   const auto atCriterion = scoreTrials(answered(75, 100)).pairs[0];
   EXPECT_NEAR(atCriterion.difference, 1.0, 1e-15);
   EXPECT_NEAR(atCriterion.justNoticeable, 1.0, 1e-13);
-  // d' = sqrt(2) z: 84.134 % correct is z = 1 (1 σ of the normal distribution). The criterion is at
-  // 0.67449 σ, which contains half of the distribution.
+  // d' = sqrt(2) z. 84.134 % correct is z = 1 (1 σ of the normal distribution). The criterion is at
+  // 0.67449 σ; ± 0.67449 σ contains half of the distribution.
   const auto sure = scoreTrials(answered(8413, 10000)).pairs[0];
   EXPECT_NEAR(sure.justNoticeable, 0.67449, 2e-4); // 84.13 % instead of 84.134 %
-  // The interval contains it, in reverse order: the better the answers, the smaller the difference.
+  // The interval contains the value. Its bounds are in reverse order, because better answers mean a
+  // smaller difference.
   EXPECT_LT(sure.justNoticeableLower, sure.justNoticeable);
   EXPECT_GT(sure.justNoticeableUpper, sure.justNoticeable);
   const auto all = scoreTrials(answered(10, 10)).pairs[0];
@@ -90,8 +93,8 @@ TEST(TrialScore, JustNoticeableDifference)
 
 TEST(TrialScore, FindsTheThresholdOfASimulatedObserver)
 {
-  // Two impressions with noise of 0.5 N, as in the model: 75 % correct at a difference of sqrt(2)
-  // 0.5 Φ⁻¹(0.75) N, or that over 1.1 N of the mean.
+  // Two impressions with noise of 0.5 N, as in the model. 75 % are correct at a difference of
+  // sqrt(2) 0.5 Φ⁻¹(0.75) N, which is divided by the mean of 1.1 N.
   std::mt19937_64 random(5);
   TrialRecord record;
   record.head.alternatives = { { "soft", 0.9 }, { "hard", 1.3 } };
@@ -110,7 +113,8 @@ TEST(TrialScore, FindsTheThresholdOfASimulatedObserver)
   const double threshold = std::sqrt(2.0) * 0.5 * 0.6744897502 / 1.1;
   EXPECT_LT(score.pairs[0].justNoticeableLower, threshold);
   EXPECT_GT(score.pairs[0].justNoticeableUpper, threshold);
-  // 4000 trials: the share is accurate to 0.7 %, its quantile to 3.5 %; three times that.
+  // With 4000 trials the share is accurate to 0.7 %, and its quantile to 3.5 %. The tolerance is
+  // three times this.
   EXPECT_NEAR(score.pairs[0].justNoticeable, threshold, 0.11 * threshold);
   EXPECT_LT(score.xChosen.lower, 0.5);
   EXPECT_GT(score.xChosen.upper, 0.5);

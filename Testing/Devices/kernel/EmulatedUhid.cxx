@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The EmulatedHid of the umockdev tests, implemented with the real kernel.
+// Implements the EmulatedHid of the umockdev tests with the real kernel.
 #include "EmulatedHid.h"
 
 #include "UhidDevice.h"

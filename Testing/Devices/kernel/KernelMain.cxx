@@ -25,7 +25,7 @@ bool failed(const char* what)
 
 bool mounted(const char* type, const char* place)
 {
-  mkdir(place, 0755); // the kernel has created some of them
+  mkdir(place, 0755); // the kernel has already created some of these folders
   return mount(type, place, type, 0, nullptr) == 0 || errno == EBUSY || failed(place);
 }
 
@@ -63,6 +63,6 @@ int main(int argc, char* argv[])
   std::printf("palpate kernel job: %s\n", result == 0 && ran > 0 ? "passed" : "failed");
   std::fflush(stdout);
   tcdrain(STDOUT_FILENO);
-  reboot(RB_AUTOBOOT); // with -no-reboot the emulator ends instead
+  reboot(RB_AUTOBOOT); // with -no-reboot the emulator ends instead of rebooting
   return 1;
 }

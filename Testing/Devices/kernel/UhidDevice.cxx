@@ -28,13 +28,14 @@ bool give(int file, const uhid_event& event)
   return write(file, &event, sizeof event) == static_cast<ssize_t>(sizeof event);
 }
 
-/// The fields are packed, so references to them are not allowed.
+/// Copies a text to a field. The field is given as a pointer, because a reference to a packed field
+/// is not allowed.
 void put(__u8* field, std::size_t size, const std::string& text)
 {
   std::memcpy(field, text.c_str(), std::min(size - 1, text.size()));
 }
 
-/// "/dev/hidrawN" of the device with this HID_PHYS, or "".
+/// Returns "/dev/hidrawN" of the device with this HID_PHYS, or "".
 std::string nodeOf(const std::string& phys)
 {
   std::error_code none;

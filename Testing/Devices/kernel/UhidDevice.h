@@ -16,24 +16,27 @@
 namespace palpate::testing
 {
 /**
- * A HID device that this process plugs into the real kernel by /dev/uhid: a real /dev/hidrawN, with
- * the queues, reports and unplugging of the kernel. A thread answers the requests of the kernel.
+ * A HID device that this process plugs into the real kernel by /dev/uhid. It appears as a real
+ * /dev/hidrawN, with the queues, reports and unplugging of the kernel. A thread answers the
+ * requests of the kernel.
  */
 class UhidDevice
 {
 public:
-  /// Throws std::runtime_error if the kernel rejects it, or if there is no hidraw within 5 s.
+  /// Throws std::runtime_error if the kernel rejects the device, or if no hidraw appears within 5
+  /// s.
   explicit UhidDevice(const HidModel& model);
   ~UhidDevice();
   UhidDevice(const UhidDevice&) = delete;
   UhidDevice& operator=(const UhidDevice&) = delete;
 
   const std::string& path() const { return this->Path; }
-  /// Device → host. False if it is unplugged.
+  /// Device → host. Returns false if the device is unplugged.
   bool send(const std::uint8_t* bytes, std::size_t size);
-  /// Host → device: the next output report, without its number. False if there is none.
+  /// Host → device: gets the next output report, without its number. Returns false if there is
+  /// none.
   bool receive(std::vector<std::uint8_t>& report);
-  /// UHID_DESTROY: removes the device even if it is open.
+  /// Removes the device by UHID_DESTROY, even if it is open.
   void unplug();
 
 private:
@@ -45,7 +48,7 @@ private:
   int File = -1;
   std::string Path;
   std::mutex Mutex;
-  std::deque<std::vector<std::uint8_t>> Reports; ///< under Mutex; from the host
+  std::deque<std::vector<std::uint8_t>> Reports; ///< reports from the host; protected by Mutex
   std::atomic<bool> Plugged{ false };
   std::atomic<bool> Stopping{ false };
   std::thread Thread;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body with many points in all steps before a tick: its response against the closed form, the
-// flat file and back to the bit, the kernel, ticks against a search of all triangles, and the
-// memory used. The body is the bumpy sphere of the benchmarks.
+// Runs all steps before a tick for a body with many points. It compares the response with the
+// closed form, writes the flat file and reads it back bit by bit, and compares ticks with a search
+// over all triangles. It also measures the memory. The body is the bumpy sphere of the benchmarks.
 #include "Response/BodyConversion.h"
 #include "BumpySphere.h"
 #include "DrawnBody.h"
@@ -35,11 +35,10 @@ constexpr double TipRadius = 5.0; // mm; the tool is a paraboloid
 constexpr double Modulus = 2.0;   // MPa; ν = 0
 constexpr double Range = 2.0;     // mm
 constexpr double LargestDepth = 1.5;
-// Half an ulp of a float at 64 to 128 mm from the centre, plus a little for the rounding of the
-// centre.
+// mm; half an ulp of a float at 64 to 128 mm from the centre, plus the rounding of the centre.
 constexpr double KeptWithin = 3.9e-6;
-// Twice the result of the scale study at eight million points (Data/Studies/scale): 975 bytes. The
-// libraries add some megabytes.
+// Twice the result of the scale study at eight million points (Data/Studies/scale), which is 975
+// bytes. The libraries add some megabytes.
 constexpr double MostBytesPerPoint = 2000.0;
 constexpr double BytesOfLibraries = 1e9;
 
@@ -49,7 +48,7 @@ double law(double depth)
   return 4.0 / 3.0 * Modulus * std::sqrt(TipRadius) * std::pow(depth, 1.5);
 }
 
-/// Results and their checks, in the order of the checks.
+/// Results of checks, in the order of the checks.
 class Findings
 {
 public:
@@ -99,7 +98,7 @@ Body respond(vtkPolyData* body)
   filter->SetYoungsModulus(Modulus);
   filter->SetPoissonRatio(0.0);
   filter->SetMaximumDeflection(Range);
-  filter->CurvatureCorrectionOff(); // the closed form holds for a flat body
+  filter->CurvatureCorrectionOff(); // the closed form is valid for a flat body
   filter->Update();
   auto output = Body::New();
   output->ShallowCopy(filter->GetOutput());
@@ -123,7 +122,7 @@ double responseError(vtkPolyData* body)
   return worst;
 }
 
-/// Number of response arrays that are not bitwise equal in the two bodies.
+/// Returns the number of response arrays that are not bitwise equal in the two bodies.
 int arraysThatDiffer(vtkPolyData* one, vtkPolyData* other)
 {
   int differ = palpate::copyPoints(one) == palpate::copyPoints(other) ? 0 : 1;
@@ -142,7 +141,8 @@ int arraysThatDiffer(vtkPolyData* one, vtkPolyData* other)
   return differ;
 }
 
-/// Writes the body to a flat file and reads it back. The run continues with the body that was read.
+/// Writes the body to a flat file and reads it back. Returns the body that was read, or
+/// `body` on failure.
 Body throughFile(const Body& body, const std::string& file, Findings& findings)
 {
   std::string error = palpate::writeFlatBody(body, "Response", file);
@@ -181,7 +181,7 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
   double touched = 0.0;
   for (int i = 0; i < tips; ++i)
   {
-    // Depths from 0.1 to 1.5 mm, all over the smooth body.
+    // Depths from 0.1 to 1.5 mm, at places all over the smooth body.
     const double depth = 0.1 + (LargestDepth - 0.1) * (i % 29) / 28.0;
     const Vector3 tip = palpate::testing::windingTip(depth, 61.7 * i);
     contact.reset();
@@ -194,7 +194,8 @@ void compareTicks(vtkPolyData* body, int tips, Findings& findings)
   }
   findings.tell("tips", tips);
   findings.expect("tips_that_felt_nothing", tips - touched, 0.0);
-  findings.expect("deflection_off_mm", depthError, 1e-10); // rounding at 100 mm
+  // Rounding error for coordinates of 100 mm.
+  findings.expect("deflection_off_mm", depthError, 1e-10);
   findings.expect("force_off_relative", forceError, 1e-6); // forces are stored as floats
 }
 } // namespace
@@ -219,7 +220,8 @@ int main(int argc, char* argv[])
   findings.tell("points", points);
   findings.tell("triangles", static_cast<double>(body->GetNumberOfPolys()));
   findings.expect("share_of_points_missing", 1.0 - points / wanted, 0.01);
-  findings.expect("stored_force_off_relative", responseError(body), 6e-8); // half an ulp
+  // Half a unit in the last place.
+  findings.expect("stored_force_off_relative", responseError(body), 6e-8);
   body = throughFile(body, output + ".palpate", findings);
   compareTicks(body, tips, findings);
   findings.expect("peak_MiB", peakMemory() / 1048576.0,

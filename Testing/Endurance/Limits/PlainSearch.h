@@ -15,8 +15,8 @@ namespace palpate::endurance
 {
 /**
  * Finds the closest point of a surface by a search over every triangle, in long double. A triangle
- * is skipped only if its longest edge and the distance of its first corner exclude it.
- * The search uses the coordinates as the kernel stores them. roundedBy() compares these with the
+ * is skipped only if the distance of its first corner and its longest edge exclude it.
+ * The search uses the coordinates that the kernel stores. roundedBy() compares them with the
  * coordinates of the input.
  */
 class PlainSearch
@@ -24,10 +24,10 @@ class PlainSearch
 public:
   explicit PlainSearch(const PackedMesh& mesh);
 
-  /// The triangle number is that of the input.
+  /// The triangle in the result has its number in the input.
   testing::Nearest nearest(const Vector3& tip) const;
 
-  /// Largest distance of a kernel coordinate from `points` (x, y, z each), mm.
+  /// Returns the largest distance of a stored coordinate from `points` (x, y, z each), mm.
   double roundedBy(const std::vector<double>& points) const;
 
 private:

@@ -17,8 +17,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double PathStep = 2e-3; // s
 
-/// Rates for a few faults of each kind per second at 4 kHz. Faults that end the force are rarer, so
-/// that there is a force between them.
+/// Rates that give a few faults of each kind per second at 4 kHz. Faults that suppress the force
+/// are rarer, so that there is a force between them.
 DeviceFaults faultsOf(std::uint64_t seed)
 {
   DeviceFaults faults;
@@ -46,10 +46,10 @@ DeviceSupply::DeviceSupply(const DeviceFrame& frame, const DeviceSpecification& 
 std::vector<DeviceSupply::Place> DeviceSupply::makePath(double seconds)
 {
   constexpr double amplitude = 3.0;               // mm
-  const double presses = this->between(0.7, 2.5); // per second
+  const double presses = this->between(0.7, 2.5); // presses per second
   const double phase = this->between(0.0, 2.0 * Pi);
   const double speed = this->between(0.1, 1.0); // rad/s around the body
-  const double sway = this->between(0.3, 1.5);  // per second
+  const double sway = this->between(0.3, 1.5);  // oscillations per second
   const Eigen::AngleAxisd start(
     this->between(0.0, 2.0 * Pi), Vector3(this->between(-1.0, 1.0), 1.0, 0.4).normalized());
   std::vector<Place> path;

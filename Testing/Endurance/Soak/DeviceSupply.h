@@ -13,9 +13,9 @@
 namespace palpate::endurance
 {
 /**
- * Supplies devices in turn: a stiff hand, a mass in a compliant hand, and a trajectory that is
- * played back. Each lasts some seconds and has its own faults (FaultyDevice). All press repeatedly
- * on a nearly round body while they wander around it.
+ * Supplies devices in turn: a stiff hand, a mass in a compliant hand, and a recorded trajectory.
+ * Each device lasts some seconds and has its own faults (FaultyDevice). All devices press
+ * repeatedly on a nearly round body while they move around it.
  */
 class DeviceSupply
 {

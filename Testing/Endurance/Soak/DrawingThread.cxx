@@ -89,7 +89,7 @@ void DrawingThread::run()
     ++this->Frames;
     due += Period;
     const auto now = std::chrono::steady_clock::now();
-    due = now > due ? now : due; // a late frame is not made up for
+    due = now > due ? now : due; // the time lost by a late frame is not made up
     std::this_thread::sleep_until(due);
   }
 }

@@ -27,7 +27,7 @@ public:
 
   void start();
   void stop();
-  /// Draws a copy of the body from the next frame on.
+  /// Replaces the drawn body by a copy of `body`, from the next frame on.
   void show(vtkPolyData* body);
   /// Sets the position of the tip, mm.
   void move(const Vector3& tip) { this->Tip.write(tip); }
@@ -40,7 +40,7 @@ private:
   std::atomic<bool> Stopping{ false };
   std::atomic<std::uint64_t> Frames{ 0 };
   LatestValue<Vector3> Tip{ Vector3::Zero() };
-  std::mutex Lock; ///< of Body; both threads may wait for it
+  std::mutex Lock; ///< protects Body; both threads may wait for it
   vtkSmartPointer<vtkPolyData> Body;
   std::thread Thread;
 };

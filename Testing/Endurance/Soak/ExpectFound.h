@@ -10,7 +10,7 @@
 
 namespace palpate::endurance
 {
-/// Expects this kind of fault in this tick.
+/// Expects that the first fault is of this kind and in this tick.
 inline void expectFound(const TickSeries& series, TickFault fault, std::size_t tick)
 {
   const TickSeries::Finding found = series.firstFault();

@@ -6,13 +6,14 @@
 
 namespace palpate::endurance
 {
-/// Decides in which ticks there must be no force, whatever body is in contact. There is no force
-/// without a valid position, and none if no new sample has come for longer than the time-out. If
-/// one of these lasts longer than the time-out, the force stays off until the tip has been outside.
+/// Decides in which ticks there must be no force, independent of the body in contact. There is no
+/// force without a valid position, or if the last new sample is older than the time-out. If one of
+/// these conditions lasts longer than the time-out, the force stays off until the tip has been
+/// outside.
 class LossRule
 {
 public:
-  /// Time-out in s.
+  /// `timeOut` in s.
   explicit LossRule(double timeOut)
     : TimeOut(timeOut)
   {
@@ -38,7 +39,7 @@ public:
     return isOld;
   }
 
-  /// True for a lost tick if the last new sample is no older than the time-out.
+  /// Returns true for a lost tick if the last new sample is not older than the time-out.
   bool isGap(const DeviceSample& sample, double time) const
   {
     return !isPlaced(sample) && this->HasHeard && time - this->LastNew <= this->TimeOut;

@@ -4,9 +4,9 @@
 
 namespace palpate::endurance
 {
-/// Whether the tip has been outside since the last loss. At a depth near zero the tip is neither
-/// inside nor outside: then it may have been outside. The sent force shows which of the two the
-/// loop has decided.
+/// Whether the tip has been outside since the last loss. At a depth near zero the checker cannot
+/// decide whether the tip is inside or outside, so the tip may have been outside. The sent force
+/// then shows which decision the loop has made.
 class OutsideRule
 {
 public:

@@ -10,8 +10,8 @@
 
 namespace palpate::endurance
 {
-/// Passes the inner device on unchanged and keeps its last sample, so that a different reported
-/// sample is noticed.
+/// Passes on all calls to the inner device unchanged and stores its last sample. A different sample
+/// in a report is therefore detected.
 class TrueHand final : public HapticDevice
 {
 public:
@@ -36,15 +36,16 @@ private:
   DeviceSample Last;
 };
 
-/// A device that is plugged in for a while.
+/// A device that is plugged in for a limited time.
 struct PluggedDevice
 {
   std::unique_ptr<HapticDevice> device;
-  const TrueHand* hand = nullptr;                          ///< inside `device`
-  double absence = 0.0;                                    ///< s without any device before it
-  double life = 0.0;                                       ///< s
-  double hangAt = std::numeric_limits<double>::infinity(); ///< s after it was plugged in
-  double hangFor = 0.0; ///< s by which one reading delays the loop
+  const TrueHand* hand = nullptr; ///< the part of `device` that stores the true sample
+  double absence = 0.0;           ///< time without any device before this device, s
+  double life = 0.0;              ///< time for which the device is plugged in, s
+  /// Time of the hang since the device was plugged in, s.
+  double hangAt = std::numeric_limits<double>::infinity();
+  double hangFor = 0.0; ///< delay of the loop by one reading, s
   std::unique_ptr<PluggedDevice> next;
 };
 

@@ -14,7 +14,8 @@ namespace
 {
 constexpr double Waves = 6.0; ///< per radian
 
-/// Radius of the body over that of the ellipsoid, minus 1, in a unit direction.
+/// Ratio of the body's radius to the ellipsoid's radius, minus 1, in a unit direction; to be
+/// multiplied by the height of the waves.
 double wave(const Vector3& u)
 {
   return std::sin(Waves * u.x()) * std::sin(Waves * u.y()) * std::cos(Waves * u.z());
@@ -35,8 +36,8 @@ RoundBody::RoundBody(const BodyForm& form, int times)
   const double height = form.bumps / radius;
   for (const Vector3& u : unit.points)
   {
-    // x = (1 + h w(u)) D u. Its normal is D⁻¹ (u (1 + h w) - h P∇w), with P the projection across
-    // u.
+    // x = (1 + h w(u)) D u. Its normal is D⁻¹ (u (1 + h w) - h P∇w); P is the projection
+    // perpendicular to u.
     const double stretch = 1.0 + height * wave(u);
     const Vector3 gradient = waveGradient(u);
     const Vector3 along = gradient - u * u.dot(gradient);
@@ -64,8 +65,8 @@ RoundBody::RoundBody(const BodyForm& form, int times)
   }
 }
 
-/// The nearest point of a triangle: of its plane if that point is inside the triangle, else of its
-/// three sides.
+/// Returns the nearest point of a triangle: the nearest point of its plane if that point is inside
+/// the triangle, otherwise the nearest point of its sides.
 RoundBody::Foot RoundBody::foot(
   const Vector3& tip, const std::array<std::int32_t, 3>& triangle) const
 {
@@ -142,8 +143,8 @@ std::vector<RoundBody::Touch> RoundBody::touch(const Vector3& tip) const
       touch.modulus += foot.weights[static_cast<Eigen::Index>(k)] * this->Moduli[corner];
     }
     touch.normal.normalize();
-    // At an edge or corner of a gentle body the direction to the tip is within about 0.2 rad of the
-    // normals there.
+    // The edges and corners of the bodies are blunt: there the direction to the tip is within about
+    // 0.2 rad of the normals.
     touch.depth = (tip - foot.point).dot(touch.normal) < 0.0 ? foot.distance : -foot.distance;
     touches.push_back(touch);
   }

@@ -17,37 +17,39 @@ struct BodyForm
 {
   Vector3 centre = Vector3::Zero();             ///< mm
   Vector3 halfAxes = Vector3(50.0, 50.0, 50.0); ///< mm
-  double bumps = 0.0;                           ///< height of the gentle waves, mm
+  double bumps = 0.0;                           ///< height of the waves, mm
   double modulus = 0.1;                         ///< reduced, E*, MPa
-  double variation = 0.0;                       ///< of the modulus from point to point, relative
+  double variation = 0.0; ///< relative variation of the modulus from point to point
 };
 
 /**
  * A nearly round, triangulated body with a modulus at each point. It finds the contact of a tip by
- * brute force over all triangles, from the distance alone, with no memory of earlier tips.
- * The bodies are gentle (no edge sharper than about 0.2 rad) and the indentation is a few mm. So
- * the contact that a tick follows is the global nearest point. Only two nearly equally near points
- * are ambiguous: then both are returned.
+ * a search over all triangles. The search uses only the distance, and no data of earlier tips.
+ * The bodies are smooth (no edge is sharper than about 0.2 rad) and the indentation is a few mm.
+ * Therefore the contact that a tick follows is the global nearest point. Only two points at nearly
+ * the same distance are ambiguous; then both are returned.
  */
 class RoundBody
 {
 public:
-  /// A body of 20·4^times triangles.
+  /// Makes a body of 20·4^times triangles.
   RoundBody(const BodyForm& form, int times);
 
   /// A nearest point.
   struct Touch
   {
-    double depth = 0.0;               ///< below the surface, mm; negative above it
-    Vector3 normal = Vector3::Zero(); ///< the three point normals blended, unit
-    double modulus = 0.0;             ///< blended in the same way, MPa
+    double depth = 0.0;               ///< depth below the surface, mm; negative above it
+    Vector3 normal = Vector3::Zero(); ///< unit vector, interpolated from the three point normals
+    double modulus = 0.0;             ///< interpolated in the same way, MPa
   };
-  /// All points that are as near as the nearest to within NearestTolerance; at least one.
+  /// Returns all points whose distance exceeds the smallest distance by at most NearestTolerance;
+  /// at least one point.
   std::vector<Touch> touch(const Vector3& tip) const;
-  /// mm. The kernel keeps coordinates as float32 about the centre of the body: an error of 2^-25 of
-  /// 64 mm in each, so at most 7e-6 mm between two distances.
+  /// mm. The kernel stores coordinates as float32 relative to the centre of the body. Each
+  /// coordinate has an error of 2^-25 of 64 mm, so the difference of two distances has an error of
+  /// at most 7e-6 mm.
   static constexpr double NearestTolerance = 2e-5;
-  /// mm, for one depth; same reason.
+  /// Tolerance of a depth, mm, for the same reason.
   static constexpr double DepthTolerance = 1e-5;
 
   const std::vector<Vector3>& points() const { return this->Points; }
@@ -68,7 +70,7 @@ private:
   std::vector<Vector3> Normals;
   std::vector<double> Moduli;
   std::vector<std::array<std::int32_t, 3>> Triangles;
-  /// A bounding sphere of each triangle, to skip triangles that cannot be near.
+  /// Bounding spheres of the triangles. They serve to skip triangles that cannot be near.
   std::vector<Vector3> Middles;
   std::vector<double> Radii;
 };

@@ -11,22 +11,22 @@
 
 namespace palpate::endurance
 {
-/// The scenes in contact and their shares. Usually this is one scene. For 50 ms after a change it
-/// is the old and the new one. The share of the new scene grows linearly with time, but by at most
-/// a tenth per tick.
+/// The scenes in contact and their shares. Usually one scene is in contact. For 50 ms after a
+/// change, both the old and the new scene are in contact. The share of the new scene grows linearly
+/// with time, but by at most a tenth per tick.
 class SceneRule
 {
 public:
   explicit SceneRule(FeltScene first) { this->Scenes.emplace(0, std::move(first)); }
 
-  /// Adds the next scene that may come.
+  /// Adds the next scene that the loop may use.
   void offer(FeltScene next) { this->Scenes.emplace(++this->Offered, std::move(next)); }
   std::uint32_t offered() const { return this->Offered; }
-  /// Number of the scene in contact, or of the new one during a change.
+  /// Number of the scene in contact; during a change, of the new scene.
   std::uint32_t current() const { return this->Current; }
 
-  /// Checks the scene that a tick reports. False if that scene was not offered, or if one was
-  /// skipped.
+  /// Checks the scene that a tick reports. Returns false if that scene was not offered, or if a
+  /// scene was skipped.
   bool enter(std::uint32_t scene)
   {
     if (scene == this->Current)
@@ -44,7 +44,7 @@ public:
     this->IsFirst = true;
     return true;
   }
-  /// A tick in contact, `elapsed` s after the one before.
+  /// Updates the share for a tick in contact, `elapsed` s after the previous tick.
   void advance(double elapsed)
   {
     constexpr double ramp = 0.05;
@@ -57,17 +57,17 @@ public:
   void lose() { this->IsChanging = false; }
 
   bool isChanging() const { return this->IsChanging; }
-  /// Share of the newer scene.
+  /// Share of the newer scene, 0 to 1.
   double share() const { return this->IsChanging ? this->Share : 1.0; }
   const FeltScene& newer() const { return this->Scenes.at(this->Current); }
-  /// The older scene; only during a change.
+  /// The older scene. May be called only during a change.
   const FeltScene& older() const { return this->Scenes.at(this->Current - 1); }
 
 private:
   /// Rounding error of a sum of two hundred steps.
   static constexpr double Rounding = 1e-9;
 
-  std::map<std::uint32_t, FeltScene> Scenes; ///< from the older one on
+  std::map<std::uint32_t, FeltScene> Scenes; ///< the older scene and all later scenes
   std::uint32_t Offered = 0;
   std::uint32_t Current = 0;
   bool IsChanging = false;

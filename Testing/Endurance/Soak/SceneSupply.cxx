@@ -19,9 +19,9 @@ namespace palpate::endurance
 namespace
 {
 constexpr double PoissonRatio = 0.45;
-constexpr double Reach = 6.0;            // mm, deeper than any device presses
+constexpr double Reach = 6.0;            // mm; deeper than any device presses
 constexpr const char* Modulus = "Young"; // point array
-// Strength and time constant (s): the first relaxes within a press, the second within a visit.
+// Strength and time constant (s). The first term relaxes within a press, the second within a visit.
 constexpr std::array<std::array<double, 2>, 2> Relaxations = { { { 0.6, 0.03 }, { 0.4, 0.5 } } };
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const RoundBody& body)
@@ -94,7 +94,7 @@ SceneSupply::SceneSupply(unsigned seed, Supplied bodies)
     { this->Centre, { r, r - 0.5, r }, 0.2, 0.08, 0.2 } }; // only the last one relaxes
   for (const BodyForm& form : forms)
   {
-    constexpr int times = 3; // 1280 triangles of some 7 mm
+    constexpr int times = 3; // 1280 triangles of about 7 mm
     this->Bodies.push_back(std::make_shared<RoundBody>(form, times));
     this->Shapes.push_back(polyDataOf(*this->Bodies.back()));
   }
@@ -105,7 +105,7 @@ SceneSupply::SceneSupply(unsigned seed, Supplied bodies)
 
 SuppliedScene SceneSupply::make()
 {
-  // Any pair except the last one.
+  // Chooses any pair of body and tool except the previous pair.
   const std::size_t pairs = this->Count * this->Tools.size();
   this->Last = (this->Last + 1 + this->draw(pairs - 1)) % pairs;
   const std::size_t body = this->From + this->Last / this->Tools.size();
@@ -122,7 +122,7 @@ SuppliedScene SceneSupply::make()
   response->SetPoissonRatio(PoissonRatio);
   response->SetMaximumDeflection(Reach);
   response->SetResponseName(ResponseName);
-  response->CurvatureCorrectionOff(); // the closed form holds for a flat body
+  response->CurvatureCorrectionOff(); // the closed form is valid for a flat body
   response->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, Modulus);
   for (const auto& [strength, seconds] : Relaxations)
   {

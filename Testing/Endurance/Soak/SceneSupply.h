@@ -19,7 +19,7 @@ struct ContactBody;
 
 namespace palpate::endurance
 {
-/// A scene for the model of the checker and for the session.
+/// One scene, for the model of the checker and for the session.
 struct SuppliedScene
 {
   FeltScene felt;
@@ -32,23 +32,23 @@ struct SuppliedScene
 enum class Supplied
 {
   All,
-  Elastic, ///< those that do not relax
-  Relaxing ///< the one that does
+  Elastic, ///< the bodies that do not relax
+  Relaxing ///< the body that relaxes
 };
 
 /// Several bodies at about the same place under several tools, with and without friction. The
 /// responses come from vtkToolContactResponse, the kernel from the session's own conversion. Both
-/// are made again each time.
+/// are made again for each scene.
 class SceneSupply
 {
 public:
   explicit SceneSupply(unsigned seed, Supplied bodies = Supplied::All);
 
-  /// A scene that differs from the last one in body or tool.
+  /// Returns a scene that differs from the previous scene in body or tool.
   SuppliedScene make();
 
   const Vector3& centre() const { return this->Centre; }
-  static constexpr double Radius = 50.0; ///< of all bodies, mm, to within 1.5
+  static constexpr double Radius = 50.0; ///< radius of all bodies to within 1.5 mm, mm
   static constexpr const char* ResponseName = "Response";
 
 private:

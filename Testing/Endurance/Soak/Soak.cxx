@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A long session with faults of every kind around it; each of its ticks is checked. Exit code: 0 if
-// all holds, 1 if not, 2 for a wrong call or no display.
+// A long session with faults of every kind. Each of its ticks is checked. Exit code: 0 if all
+// requirements hold, 1 if not, 2 for a wrong call or without a display.
 #include "SoakRun.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the soak: closed forms, depths, swaps and memory.
+// Tests of the parts of the soak: closed forms, depths, swaps and memory.
 #include "MemoryWatch.h"
 #include "SwapWatch.h"
 #include "RoundBody.h"
@@ -15,13 +15,13 @@ namespace palpate::endurance
 {
 TEST(ToolLaw, GivesKnownForces)
 {
-  // The rubber of the paper: the curves of the 12.7 mm sphere (as a paraboloid) and of the 3.2 mm
-  // flat punch cross here.
+  // The rubber of the paper: at this depth the curves of the 12.7 mm sphere (as a paraboloid) and
+  // of the 3.2 mm flat punch intersect.
   const double depth = 0.9070866142;
   const double force = 10.0142362205;
   EXPECT_NEAR(ToolLaw(ToolLaw::Flat, 1.6).force(depth, 3.45), force, 1e-8);
   EXPECT_NEAR(ToolLaw(ToolLaw::Paraboloid, 6.35).force(depth, 3.45), force, 1e-8);
-  // The exact 3.2 mm sphere needs 1.7505 mm for 12 N. The source states no more digits.
+  // The exact 3.2 mm sphere needs 1.7505 mm for 12 N. The source gives no more digits.
   EXPECT_NEAR(ToolLaw(ToolLaw::Sphere, 1.6).force(1.7505, 3.45), 12.0, 1e-3);
   EXPECT_NEAR(ToolLaw(ToolLaw::Cone, 45.0).force(1.0, 1.0), 2.0 / 3.14159265358979, 1e-12);
 }
@@ -62,10 +62,12 @@ TEST(RoundBody, TellsTheDepthInASphere)
     {
       const auto touches = body.touch(form.centre + (50.0 - depth) * u);
       ASSERT_FALSE(touches.empty());
-      // Facets of 8 mm are up to h²/(6 R) = 0.22 mm under the sphere; their corners are on it.
+      // Facets of 8 mm are up to h²/(6 R) = 0.22 mm below the sphere. Their corners are on the
+      // sphere.
       EXPECT_LE(touches.front().depth, depth + 1e-9);
       EXPECT_GE(touches.front().depth, depth - 0.25);
-      // The blended normal turns by less than the shift of the contact point along a tilted facet.
+      // The interpolated normal turns by less than the shift of the contact point along a tilted
+      // facet.
       EXPECT_GT(touches.front().normal.dot(u), std::cos(0.02));
       EXPECT_DOUBLE_EQ(touches.front().modulus, form.modulus);
     }
@@ -78,7 +80,8 @@ TEST(RoundBody, FindsTheNearestPointOfAllTriangles)
   form.bumps = 0.5;
   form.halfAxes = Vector3(49.0, 51.0, 50.5);
   const RoundBody body(form, 2);
-  // Compares with points strewn over every triangle: none is nearer, and one is nearly as near.
+  // Compares with a grid of points on every triangle: no grid point is nearer, and one is nearly as
+  // near.
   constexpr int cuts = 24;
   for (int i = 0; i < 20; ++i)
   {
@@ -101,7 +104,8 @@ TEST(RoundBody, FindsTheNearestPointOfAllTriangles)
     }
     const double found = std::abs(body.touch(tip).front().depth);
     EXPECT_LE(found, least + 1e-12);
-    // Grid points are 16 mm / 24 apart. Across the foot that gives 0.4²/(2·1) at a depth of 1 mm.
+    // Grid points are 16 mm / 24 apart. Perpendicular to the nearest point this gives 0.4²/(2·1) at
+    // a depth of 1 mm.
     EXPECT_GE(found, least - 0.1);
   }
 }
@@ -118,17 +122,17 @@ TEST(SwapWatch, CountsWhatComesLateOrNever)
     }
   };
   go(0, 10);
-  swaps.ask(10); // tick 10 may not know of it, tick 11 must
+  swaps.ask(10); // tick 10 may still use the old scene, tick 11 must not
   go(0, 1);
   go(1, 5);
   EXPECT_EQ(swaps.seen(), 1U);
   EXPECT_EQ(swaps.late(), 0U);
   swaps.ask(tick);
-  go(2, 5); // at once
+  go(2, 5); // immediately
   EXPECT_EQ(swaps.seen(), 2U);
   EXPECT_EQ(swaps.late(), 0U);
   swaps.ask(tick);
-  go(2, 2); // one too late
+  go(2, 2); // one tick too late
   go(3, 5);
   EXPECT_EQ(swaps.seen(), 3U);
   EXPECT_EQ(swaps.late(), 1U);
@@ -156,7 +160,7 @@ TEST(MemoryWatch, FindsWhatGrows)
   }
   EXPECT_LE(steady.heap().growth(), MemoryWatch::HeapAllowed);
   EXPECT_LE(steady.resident().growth(), MemoryWatch::ResidentAllowed);
-  // From reading 29 to reading 59, growth of a quarter of a MiB each.
+  // From reading 29 to reading 59, each reading grows by a quarter of a MiB.
   EXPECT_GT(growing.heap().growth(), 7.0);
   EXPECT_GT(growing.resident().growth(), MemoryWatch::ResidentAllowed);
 }

@@ -8,16 +8,17 @@ namespace palpate::endurance
 {
 namespace
 {
-/// From this duration on, s, each kind of trouble is frequent enough to be required.
+/// Duration of a run, s, from which each kind of disturbance is frequent enough to be required.
 constexpr double LongEnough = 30.0;
-/// s. The buffers that keep the last 10 s of ticks fill up in this time. The first quarter must be
-/// longer.
+/// s. The buffers that store the last 10 s of ticks fill up in this time, so the first quarter of
+/// the run must be longer.
 constexpr double WarmUp = 10.0;
-/// Smallest share of ticks with a force. The rest is air, losses and the time after them.
+/// Smallest fraction of ticks with a force. The other ticks are outside the body, in losses or
+/// shortly after losses.
 constexpr double FeltShare = 0.05;
-/// Smallest share of ticks, of those with a force, whose force differs enough from that of the tick
-/// before to detect a stale one. There is no difference where samples are dropped or the force is
-/// at its limit.
+/// Smallest fraction of the ticks with a force whose force differs enough from the previous tick's
+/// force to detect an outdated force. There is no difference where samples are dropped or the force
+/// is at its limit.
 constexpr double StaleShare = 0.5;
 
 template <class... Parts>

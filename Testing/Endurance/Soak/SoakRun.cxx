@@ -20,7 +20,7 @@ namespace palpate::endurance
 {
 namespace
 {
-constexpr double KeptSeconds = 10.0; // longest time for which the checker may be delayed
+constexpr double KeptSeconds = 10.0; // longest delay of the checker, s
 constexpr double LastSwapSeconds = 5.0;
 constexpr std::size_t ToldFaults = 10;
 constexpr std::chrono::milliseconds Pause{ 5 };
@@ -97,7 +97,7 @@ void SoakRun::run()
     std::chrono::duration<double>(this->Options.swapEvery));
   auto nextSwap = begin + period;
   std::chrono::duration<double> passed{};
-  // The run waits for the last swap. If it does not come, the end of the run reports it.
+  // The run waits for the last swap. If this swap does not occur, the end of the run reports it.
   const auto goesOn = [&]
   {
     return passed.count() < this->Options.seconds ||
@@ -123,8 +123,8 @@ void SoakRun::run()
   this->Result.seconds = passed.count();
 }
 
-/// True if only one body is in contact, and the body before it was released some ticks before the
-/// last drain began. That drain freed it.
+/// Returns true if only one body is in contact, and the previous body was released some ticks
+/// before the last drain began. That drain freed the previous body.
 bool SoakRun::isSettled() const
 {
   constexpr std::uint64_t some = 200;
@@ -165,8 +165,8 @@ void SoakRun::drain()
 {
   this->CheckedBefore = this->Checked;
   const TickHistory& ticks = this->Session->GetRecorder()->GetLastTicks();
-  // The records are drained after the ticks, because a tick is recorded when its force has been
-  // written.
+  // The records are drained after the ticks, because a tick's record is complete only when its
+  // force has been written.
   this->Device->drain([this](const DeviceRecord& record) { this->Records.push_back(record); });
   const std::uint64_t fresh = ticks.added() - this->Checked;
   if (fresh > ticks.size() || fresh > this->Records.size())

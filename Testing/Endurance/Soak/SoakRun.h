@@ -38,8 +38,8 @@ struct SoakOptions
 
 /**
  * A session in real time, as in an application (vtkHapticSession: servo thread, safety chain,
- * mapping, scenes handed over). The device comes and goes, the bodies are swapped during contact,
- * and a picture is drawn at the same time. The thread that owns the run drains and checks every
+ * mapping, scenes handed over). Devices are plugged in and unplugged, bodies are swapped during
+ * contact, and a picture is drawn at the same time. The calling thread drains and checks every
  * tick.
  */
 class SoakRun
@@ -51,7 +51,7 @@ public:
   std::string start();
   /// Runs for the whole time.
   void run();
-  /// Ends it.
+  /// Ends the run.
   SoakResult finish();
 
 private:
@@ -75,12 +75,13 @@ private:
   vtkSmartPointer<vtkHapticSession> Session;
   UnsteadyDevice* Device = nullptr; ///< owned by the session
 
-  std::vector<DeviceRecord> Records; ///< records whose ticks have not come yet
+  std::vector<DeviceRecord> Records; ///< records whose ticks have not been drained yet
   std::uint64_t Checked = 0;
   std::uint64_t CheckedBefore = 0; ///< number of ticks checked when the last drain began
   SwapWatch Swaps;
-  std::uint64_t SettledAt = 0; ///< the tick from which on only one body is in contact
-  std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies; ///< all that may be alive
+  std::uint64_t SettledAt = 0; ///< the first tick with only one body in contact
+  /// All bodies that may still exist.
+  std::vector<std::weak_ptr<const palpate::ContactBody>> Bodies;
   SoakResult Result;
 };
 } // namespace palpate::endurance

@@ -6,20 +6,21 @@
 
 namespace palpate::endurance
 {
-/// Checks that each requested swap takes effect in the next tick that can know of it. Ticks are
-/// numbered from 0. A swap is requested only after the one before was seen.
+/// Checks that each requested swap takes effect in the first tick that can use the new scene. Ticks
+/// are numbered from 0. A swap is requested only after the previous swap has taken effect.
 class SwapWatch
 {
 public:
-  /// `made`: number of ticks completed when the swap had been handed over. One more tick may have
-  /// been in progress and may have read the scene before. The tick after it must know.
+  /// Records a requested swap. `made`: number of ticks completed when the scene had been handed
+  /// over. One more tick may have been in progress and may still use the old scene. The tick after
+  /// it must use the new scene.
   void ask(std::uint64_t made)
   {
     ++this->Asked;
     this->Due = made + 1;
     this->IsOpen = true;
   }
-  /// A tick and the number of its scene.
+  /// Records a tick and the number of its scene.
   void see(std::uint64_t tick, std::uint32_t scene)
   {
     this->Seen += scene != this->Scene ? 1 : 0;

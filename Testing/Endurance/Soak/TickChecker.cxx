@@ -11,23 +11,23 @@ namespace palpate::endurance
 namespace
 {
 constexpr double MillimetresPerMetre = 1000.0;
-/// N; rounding of doubles for forces of some N.
+/// N; rounding error of doubles for forces of some N.
 constexpr double Rounding = 1e-11;
-/// Rounding of a sum of two hundred steps, each of a time of up to 1e5 s.
+/// Rounding error of a sum of two hundred steps, each computed from times of up to 1e5 s.
 constexpr double ShareRounding = 1e-6;
-/// mm; for tips some 100 mm from the device's origin.
+/// mm; for tips about 100 mm from the device's origin.
 constexpr double TipRounding = 1e-10;
 /// Relative error of the direction of a force. Normals are stored as float32 (1e-7). The position
 /// error is up to 1e-5 mm on facets of some mm, and normal and modulus change by a fifth between
-/// their corners.
+/// the corners of a facet.
 constexpr double DirectionError = 2e-6;
 /// Relative to the instantaneous force at ChordDepth. The elements use chords instead of curves,
-/// and the rest of a curve remembers its deepest press for a while.
+/// and after a press their force still depends on its largest depth for a while.
 constexpr double ChordError = 0.01;
 constexpr double ChordDepth = 2.0; // mm
 
-/// Largest way of the contact over the surface, mm, while the tip moves by `step` at this depth:
-/// the body is round (R = 50 mm), and at an edge of 0.2 rad the nearest point jumps.
+/// Largest distance that the contact moves over the surface, mm, while the tip moves by `step` at
+/// this depth. The body is round (R = 50 mm), and at an edge of 0.2 rad the nearest point jumps.
 double contactWay(double step, double depth)
 {
   return 1.2 * step + 0.2 * depth;
@@ -177,9 +177,9 @@ TickChecker::Fit TickChecker::fit(
     fit.error = std::max(std::abs(along - normal), across - scene.friction * normal);
     if (scene.relaxation > 0.0)
     {
-      // Drag: the energy that new material stores. If a share λ = 1 - e^(-s/2a) of an element is
-      // exchanged, its energy grows by at most P w u²/(4 - 2 λ) times λ, and Σ w u² <= δ f. λ <=
-      // s/2a. In a usual tick λ is small; after a gap the way s may be as long as the tool.
+      // Drag: the energy that new material stores. If a fraction λ = 1 - e^(-s/2a) of an element is
+      // exchanged, its energy grows by at most λ P w u²/(4 - 2 λ). Σ w u² <= δ f and λ <= s/2a. In
+      // a usual tick λ is small; after a gap the displacement s may be as long as the tool.
       const double radius = scene.tool.contactRadius(depth);
       const double kept = std::exp(-contactWay(step, depth) / (2.0 * radius)); // 1 - λ
       const double drag =
@@ -195,13 +195,13 @@ TickChecker::Fit TickChecker::fit(
       normal > 0.0 ? share * scene.tool.cappedForce(depth, touch.modulus, most) / normal : 1.0;
     best = fit.excess < best.excess ? fit : best;
   }
-  // A force that is not finite never fits.
+  // A force that is not finite is always rejected.
   best.excess = force.allFinite() ? best.excess : std::numeric_limits<double>::infinity();
   return best;
 }
 
-/// Checks that the contact force fits this position. `expected` is the part of the force within the
-/// limits of the device.
+/// Checks that the contact force matches the position of the tip. `expected` gets the
+/// model's force after the stiffness cap, for checkSent.
 TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expected& expected)
 {
   this->Scenes.advance(elapsed);
@@ -211,7 +211,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
     return fault(TickFault::Tip, tick, tick.tip.transpose(), " mm instead of ", tip.transpose());
   }
   // Shares are sums of many steps. They differ by the rounding of the time in each step. The forces
-  // use the share that the tick reports, not the one computed here.
+  // use the share that the tick reports, not the share computed here.
   const double share = tick.sceneShare;
   if (!(std::abs(share - this->Scenes.share()) <= ShareRounding && share <= 1.0))
   {
@@ -244,7 +244,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   this->Tally.nearest = std::max(this->Tally.nearest, newer.error / newer.tolerance);
   expected.force =
     this->Frame.axes.transpose() * (newer.cap * share * tick.contactForce + older.cap * rest);
-  // The cap follows the stored curve, whose error is that of the force.
+  // The cap follows the stored curve, which has the same error as the force.
   expected.tolerance = 2.0 * (share * newer.tolerance + older.tolerance) + Rounding;
   const double nothing = RoundBody::DepthTolerance;
   expected.isInside = newer.depth > nothing || (older.depth > nothing && 1.0 - share > 1e-6);
@@ -254,7 +254,7 @@ TickVerdict TickChecker::checkPlace(const TickFacts& tick, double elapsed, Expec
   if (expected.isBound)
   {
     expected.force = this->Frame.axes.transpose() * tick.idealForce;
-    expected.isInside = false; // the relaxing body itself decides whether there is contact
+    expected.isInside = false; // the relaxing body itself determines whether there is contact
     return this->checkVisit(tick, expected.isOutside && share == 1.0);
   }
   this->Visit.lose();
@@ -280,8 +280,8 @@ TickVerdict TickChecker::checkVisit(const TickFacts& tick, bool isOutside)
   return {};
 }
 
-/// Applies the slew limit, starting from the force sent by the tick before, and the limit of the
-/// magnitude.
+/// Applies the slew limit, starting from the force sent in the previous tick, and then the limit of
+/// the magnitude.
 Vector3 TickChecker::limited(const Vector3& wanted, double time) const
 {
   const double most = this->HasSent ? this->Limits.forceRate * (time - this->SentTime) : 0.0;

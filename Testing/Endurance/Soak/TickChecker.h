@@ -23,7 +23,7 @@ struct DeviceLimits
   double forceRate = 40.0;   ///< N/s
   double timeOut = 0.0201;   ///< s; not a whole number of ticks
 };
-/// The specification with these limits, at a rate in Hz.
+/// Returns the specification with these limits, at a rate in Hz.
 DeviceSpecification specificationOf(const DeviceLimits& limits, double rate);
 
 /// Faults of a tick.
@@ -33,12 +33,14 @@ enum class TickFault : std::uint8_t
   NotFinite, ///< a force that is not a finite number
   Time,      ///< time does not increase
   Record,    ///< sent and recorded force differ
-  Tip,       ///< not at the position that the device reported
-  Scene,     ///< a scene never offered, a skipped one, or a wrong share
-  Contact,   ///< not the force of this body at this place: stale, wrong body, or outside the cone
-  AfterLoss, ///< a force without a sample, after a failure, or before the tip was outside again
-  Sent,      ///< not the contact force after the limits
-  Energy     ///< a visit to a relaxing body returned more energy than was put in
+  Tip,       ///< the tip is not at the position that the device reported
+  Scene,     ///< a scene that was not offered, a skipped scene, or a wrong share
+  /// Force does not match body and position: outdated, of a wrong body, or outside the cone.
+  Contact,
+  /// A force without a sample, after a failure, or before the tip has been outside again.
+  AfterLoss,
+  Sent,  ///< the sent force is not the limited contact force
+  Energy ///< a visit to a relaxing body returned more energy than the tip had put in
 };
 const char* nameOf(TickFault fault);
 
@@ -54,49 +56,49 @@ struct TickTally
 {
   std::uint64_t ticks = 0;
   std::uint64_t faults = 0;
-  std::uint64_t lost = 0;     ///< no force, because a sample is missing
-  std::uint64_t silent = 0;   ///< part of `lost`: there was a sample, but nothing new for too long
-  std::uint64_t shut = 0;     ///< in the body, but no force until the tip has been outside
-  std::uint64_t free = 0;     ///< outside
-  std::uint64_t felt = 0;     ///< with a force
+  std::uint64_t lost = 0;   ///< ticks without force, because a sample is missing
+  std::uint64_t silent = 0; ///< part of `lost`: there was a sample, but no new one for too long
+  std::uint64_t shut = 0;   ///< ticks inside the body, without force until the tip has been outside
+  std::uint64_t free = 0;   ///< ticks outside
+  std::uint64_t felt = 0;   ///< ticks with a force
   std::uint64_t changing = 0; ///< part of `felt`: two scenes share the force
   std::uint64_t limited =
-    0; ///< part of `felt`: the passivity control acts, only an upper bound is checked
+    0; ///< part of `felt`: the passivity control acts, so only an upper bound is checked
   std::uint64_t staleSeen =
-    0; ///< part of `felt`: the force of the tick before would have been rejected
+    0; ///< part of `felt`: the force of the previous tick would have been rejected
   std::uint64_t relaxing =
-    0; ///< with a force of which a part or all is from a relaxing body; not in `felt`
-  std::uint64_t visits = 0;   ///< to such a body, with a check of the energy
-  double largestGain = -1.0;  ///< largest energy gained in a visit, over force times path
+    0; ///< ticks whose force is at least partly from a relaxing body; not in `felt`
+  std::uint64_t visits = 0;   ///< visits to a relaxing body whose energy was checked
+  double largestGain = -1.0;  ///< largest energy gained in a visit, divided by force times path
   double largestForce = 0.0;  ///< N
-  double largestStep = 0.0;   ///< N, between two ticks with a force
-  double largestExcess = 0.0; ///< N, beyond the tolerance
+  double largestStep = 0.0;   ///< largest difference between two ticks with a force, N
+  double largestExcess = 0.0; ///< largest difference beyond the tolerance, N
   double nearest = 0.0;       ///< largest ratio of the difference from the model to its tolerance
 };
 
 /**
- * Computes the allowed force on the hand once more, tick by tick, from the samples of the device:
- * the position from the frame, the depth by brute force, the force by closed form. Then it applies
- * the cap, the friction cone, the ramp between bodies, the slew limit and the force limit; after a
- * loss there is no force. The rules are those of Interactors/Haptics/README.md. None of the code
- * there is called.
+ * Computes the allowed force on the hand independently, tick by tick, from the samples of the
+ * device: the position from the frame, the depth by a search over all triangles, the force by a
+ * closed form. Then it applies the cap, the friction cone, the ramp between bodies, the slew limit
+ * and the force limit; after a loss there is no force. The rules are stated in
+ * Interactors/Haptics/README.md. The code there is not used.
  * Two values are taken from the tick. One is the amount of friction, which depends on the path and
- * not on the position. It must be in the cone and in the tangent plane. The other is whether the
- * passivity control acted: then the force must have the direction of the model's force and at most
- * its magnitude. All other checks are two-sided, so that a force that belongs to the sample before
- * is detected.
- * The force of a body that relaxes depends on its whole history, so only bounds are checked. The
- * normal part is between zero and the instantaneous force, the tangential part within the cone and
- * the drag. The sent force is no larger than that and rises no faster than allowed. But over a
- * visit, from outside to outside, there must be no gain of energy (VisitLedger).
+ * not only on the position. The friction must be in the cone and in the tangent plane. The other is
+ * whether the passivity control acted. If it did, the force must have the direction of the model's
+ * force and at most its magnitude. All other checks have a lower and an upper bound, so that a
+ * force of the previous sample is detected.
+ * The force of a relaxing body depends on its whole history, so only bounds are checked. The normal
+ * part is between zero and the instantaneous force; the tangential part is within the cone and the
+ * drag. The sent force is at most as large as this bound and rises at most at the allowed rate. In
+ * addition, a visit, from outside to outside, must not gain energy (VisitLedger).
  */
 class TickChecker
 {
 public:
   TickChecker(const DeviceFrame& frame, const DeviceLimits& limits, FeltScene first);
 
-  /// Adds a scene that may be in contact from now on. Its number is the number of scenes offered so
-  /// far.
+  /// Adds a scene that may be in contact from now on. Scenes are numbered in the order of these
+  /// calls, starting with 1.
   void offer(FeltScene next) { this->Scenes.offer(std::move(next)); }
   const SceneRule& scenes() const { return this->Scenes; }
 
@@ -109,20 +111,21 @@ private:
   {
     Vector3 force = Vector3::Zero();
     double tolerance = 0.0;
-    bool isInside = false;  ///< inside a body, for certain
-    bool isOutside = false; ///< outside all bodies, for certain
+    bool isInside = false;  ///< certainly inside a body
+    bool isOutside = false; ///< certainly outside all bodies
     bool isBound = false;   ///< the body relaxes: the force is an upper bound
   };
-  /// How well a force fits one scene at the tip. If several places are equally near, the best fit.
+  /// How well a force fits one scene at the tip. If several points are equally near, the best fit
+  /// is used.
   struct Fit
   {
-    double excess = 0.0; ///< N, beyond the tolerance; a negative value is the margin
-    double cap = 1.0;    ///< the fraction that the stiffness cap leaves of the force
+    double excess = 0.0; ///< difference beyond the tolerance, N; a negative value is the margin
+    double cap = 1.0;    ///< fraction of the force that remains after the stiffness cap
     double tolerance = 0.0;
     double error = 0.0;
     double depth = 0.0;
   };
-  /// `step`: how far the tip has moved since the tick before, mm.
+  /// `step`: distance that the tip has moved since the previous tick, mm.
   Fit fit(const FeltScene& scene, const Vector3& tip, double step, const Vector3& force,
     double share) const;
 
@@ -145,9 +148,10 @@ private:
 
   bool HasTime = false;
   double Time = 0.0;
-  /// Of the last tick with a position, mm; before the first it is infinitely far away.
+  /// Position of the tip in the last tick with a position, mm; infinitely far away before the
+  /// first.
   Vector3 LastTip = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 Sent = Vector3::Zero(); ///< by the tick before; zero after a loss
+  Vector3 Sent = Vector3::Zero(); ///< force sent in the previous tick; zero after a loss
   bool HasSent = false;
   double SentTime = 0.0;
 };

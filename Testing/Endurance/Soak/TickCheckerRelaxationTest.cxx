@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The checker of the soak on bodies that relax, where it only knows bounds.
+// The checker of the soak on relaxing bodies, for which only bounds are known.
 #include "ExpectFound.h"
 #include "TickSeries.h"
 
@@ -32,7 +32,7 @@ TEST(TickChecker, AcceptsBodiesThatRelax)
     const TickSeries::Finding found = series.firstFault();
     EXPECT_EQ(found.fault, TickFault::None) << seed << ": " << found.text;
     EXPECT_EQ(series.tally().visits, 2U);
-    EXPECT_LT(series.tally().largestGain, 0.0); // flow dissipates energy
+    EXPECT_LT(series.tally().largestGain, 0.0); // relaxation dissipates energy
   }
 }
 
@@ -51,7 +51,7 @@ TEST(TickChecker, FindsMoreThanABodyThatRelaxesCanGive)
       }
       ++tried;
       TickSeries more(series);
-      more.ticks[i].contactForce *= 2.2; // P = 1
+      more.ticks[i].contactForce *= 2.2; // larger than the bound, because P = 1
       more.ticks[i].idealForce *= 2.2;
       EXPECT_EQ(more.firstFault().fault, TickFault::Contact) << seed << " " << i;
       TickSeries pull(series);
@@ -68,10 +68,11 @@ TEST(TickChecker, FindsMoreThanABodyThatRelaxesCanGive)
 
 TEST(TickChecker, AcceptsALongWayOverABodyThatRelaxes)
 {
-  // Held in the depth until most of it has relaxed, then moved by several contact radii in one
-  // tick: the drag is that of the whole exchange, more than that of a short way.
+  // The tip is held inside the body until most of the force has relaxed. Then it moves by several
+  // contact radii in one tick. The drag corresponds to the exchange of all material and is larger
+  // than the bound for a short displacement.
   SceneSupply supply(1, Supplied::Relaxing);
-  double largest = 0.0; // drag over the bound of a short way
+  double largest = 0.0; // largest drag divided by the bound for a short displacement
   for (int made = 0; made < 6; ++made)
   {
     const SuppliedScene scene = supply.make();
@@ -85,7 +86,7 @@ TEST(TickChecker, AcceptsALongWayOverABodyThatRelaxes)
       for (int i = 0; i < hold + 3; ++i)
       {
         const double high = i == 0 ? 2.0 : -2.5;
-        const double angle = i < hold ? 0.0 : 0.3; // rad, some 14 mm
+        const double angle = i < hold ? 0.0 : 0.3; // rad; about 14 mm
         DeviceSample sample;
         sample.valid = true;
         sample.position = TickSeries::frame().position(supply.centre() +
@@ -104,13 +105,12 @@ TEST(TickChecker, AcceptsALongWayOverABodyThatRelaxes)
       }
     }
   }
-  EXPECT_GT(largest, 1.2); // the case is met
+  EXPECT_GT(largest, 1.2); // the bound for a short displacement is exceeded
 }
 
 TEST(TickChecker, FindsEnergyThatABodyThatRelaxesGives)
 {
-  // The force of the way in is used on the way out, and the other way round. Each tick is within
-  // all bounds.
+  // Exchanges the forces of the way in and the way out. Each tick is within all bounds.
   TickSeries series(1, false, 0.0, 0.0, Supplied::Relaxing);
   for (std::size_t i = 1; i < TickSeries::Length; ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The soak's checker on series of ticks. It accepts those of the real servo step, in virtual time,
-// and finds the faults that are added afterwards.
+// The soak's checker on series of ticks. It accepts the ticks of the real servo step, in virtual
+// time, and detects the faults that are added afterwards.
 #include "ExpectFound.h"
 #include "TickSeries.h"
 
@@ -19,7 +19,7 @@ namespace palpate::endurance
 {
 namespace
 {
-/// Calls `spoil` for many ticks in which the force moves, with friction and without. It gets a copy
+/// Calls `spoil` for many ticks whose force changes, with friction and without. `spoil` gets a copy
 /// of the series and the tick.
 template <class Spoil>
 void spoilTicks(unsigned seed, const Spoil& spoil)
@@ -62,7 +62,7 @@ TEST(TickChecker, AcceptsEveryTickOfTheServoStep)
   }
 }
 
-// At large times the time steps are rounded, so sums of shares differ.
+// At large times the time steps are rounded, so the sums of shares differ.
 TEST(TickChecker, AcceptsWhatComesAfterAnHour)
 {
   for (const double begin : { 2000.0, 3600.0, 1e5, 1e5 + 0.7 })
@@ -178,7 +178,7 @@ TEST(TickChecker, FindsASmallJump)
     expectFound(jumped, TickFault::Sent, tick);
     jumped.send(tick, Eigen::AngleAxisd(0.01, force.unitOrthogonal()) * force);
     expectFound(jumped, TickFault::Sent, tick);
-    jumped.send(tick, Vector3::Zero()); // without a reason
+    jumped.send(tick, Vector3::Zero()); // no force, without a reason
     expectFound(jumped, TickFault::Sent, tick);
   }
 }
@@ -186,7 +186,8 @@ TEST(TickChecker, FindsASmallJump)
 TEST(TickChecker, FindsAForceAfterALoss)
 {
   const TickSeries series(7);
-  // Without a sample, in the first tick and in the last, and afterwards until the tip was outside.
+  // A force without a sample, in the first tick and in the last tick; and a force afterwards,
+  // before the tip has been outside.
   for (const std::size_t tick : { TickSeries::Absent, TickSeries::Absent + TickSeries::Gap - 1,
          TickSeries::Absent + TickSeries::Gap + 5 })
   {
@@ -226,8 +227,8 @@ TEST(TickChecker, FindsFrictionOutOfTheCone)
     {
       continue;
     }
-    // The tangential part exceeds 0.4 of the normal part: atan 0.4 = 22°. The rotation is by half a
-    // radian, in either direction.
+    // The tangential part exceeds the limit of 0.4 of the normal part, because atan 0.4 = 22° and
+    // the force is rotated by half a radian, in either direction.
     const Vector3 axis = tick.contactForce.unitOrthogonal();
     TickSeries turned = series;
     turned.ticks[i].contactForce = Eigen::AngleAxisd(0.5, axis) * tick.contactForce;
@@ -240,7 +241,7 @@ TEST(TickChecker, FindsFrictionOutOfTheCone)
 
 TEST(TickChecker, FindsAForceThatRisesTooFast)
 {
-  // The tip is 1 mm deeper from one tick to the next. The sent force rises at 40 N/s only.
+  // The tip moves 1 mm deeper from one tick to the next. The sent force rises at only 40 N/s.
   SceneSupply supply(1, Supplied::Elastic);
   const SuppliedScene scene = supply.make();
   ServoStep step(
@@ -278,7 +279,8 @@ TEST(TickChecker, LetsPassivityTakeButNotAddOrTurn)
   const TickSeries series(6);
   const std::size_t tick = TickSeries::Swap - 200;
   const Vector3 force = series.ticks[tick].sent;
-  // Only one tick: the next would start from the force sent last, as the slew limit does.
+  // Only one tick is changed, because the next tick would start from the last sent force, as the
+  // slew limit does.
   const auto first = [&](const Vector3& sent)
   {
     TickSeries changed = series;

@@ -16,19 +16,19 @@ struct Tick;
 
 namespace palpate::endurance
 {
-/// A body, a tool and the resistance to sliding: one scene in contact.
+/// One scene in contact: a body, a tool and the friction.
 struct FeltScene
 {
   std::shared_ptr<const RoundBody> body;
   ToolLaw tool{ ToolLaw::Flat, 1.0 };
   double friction = 0.0; ///< Coulomb's coefficient
-  /// P: relative excess of the instantaneous modulus of a relaxing body over the slow one. 0:
+  /// P: relative excess of a relaxing body's instantaneous modulus over its slow modulus. 0:
   /// elastic.
   double relaxation = 0.0;
   int elements = 16; ///< number of relaxation elements of the servo step
 };
 
-/// From the device's frame to the body's: x = axes (1000 scale x_device) + origin.
+/// Transform from the device's frame to the body's frame: x = axes (1000 scale x_device) + origin.
 struct DeviceFrame
 {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< orthonormal
@@ -45,24 +45,24 @@ struct DeviceFrame
   }
 };
 
-/// One tick. The sample and the sent force are recorded at the device itself; the rest is reported
-/// by the loop.
+/// One tick. The sample and the sent force are recorded at the device itself; the loop reports the
+/// other members.
 struct TickFacts
 {
-  double time = 0.0; ///< s, given to the device
+  double time = 0.0; ///< time passed to the device, s
   DeviceSample sample;
-  Vector3 sent = Vector3::Zero(); ///< N, device frame, given to the device
+  Vector3 sent = Vector3::Zero(); ///< force passed to the device, N, device frame
 
-  std::uint32_t scene = 0;                ///< number of changes before
-  double sceneShare = 1.0;                ///< share of that scene in the ideal force
-  Vector3 tip = Vector3::Zero();          ///< mm, body frame, as all below
-  Vector3 contactForce = Vector3::Zero(); ///< N, from that scene
-  Vector3 idealForce = Vector3::Zero();   ///< N, from all scenes in contact
-  Vector3 saidSent = Vector3::Zero();     ///< N, device frame, recorded as sent
-  bool isPassivityLimited = false;        ///< the passivity control removed some of the force
+  std::uint32_t scene = 0;                ///< number of scene changes before this tick
+  double sceneShare = 1.0;                ///< share of this scene in the ideal force
+  Vector3 tip = Vector3::Zero();          ///< mm, body frame, like the members below
+  Vector3 contactForce = Vector3::Zero(); ///< force from this scene, N
+  Vector3 idealForce = Vector3::Zero();   ///< force from all scenes in contact, N
+  Vector3 saidSent = Vector3::Zero();     ///< force recorded as sent, N, device frame
+  bool isPassivityLimited = false;        ///< whether the passivity control reduced the force
 };
 
-/// Combines the record of the device and the report of the loop for the same tick.
+/// Combines the record of the device and the loop's report of the same tick.
 TickFacts factsOf(double time, const DeviceSample& sample, const Vector3& sent, const Tick& tick);
 } // namespace palpate::endurance
 

@@ -15,8 +15,8 @@ namespace palpate::endurance
 {
 namespace
 {
-/// Height over the body, mm. The tip goes in and out three times. It is inside at all the times
-/// named in the header.
+/// Returns the height of the tip over the body, mm. The tip moves in and out three times. It is
+/// inside at all times that the header names.
 double height(double time)
 {
   struct Knot

@@ -15,9 +15,9 @@
 namespace palpate::endurance
 {
 /**
- * Two seconds of ticks of the real servo step, in virtual time, over two scenes. A checker must
- * accept them; a test spoils them. The tip goes in and out of the body three times. A swap and
- * three losses happen during contact.
+ * Two seconds of ticks of the real servo step, in virtual time, with two scenes. A checker must
+ * accept these ticks; a test introduces faults into them. The tip moves into the body and out three
+ * times. A swap and three losses happen during contact.
  */
 class TickSeries
 {
@@ -25,10 +25,10 @@ public:
   static constexpr double Rate = 4000.0; ///< Hz
   static constexpr std::size_t Length = 8000;
   static constexpr std::size_t Swap = 2400;
-  static constexpr std::size_t Ramp = 200;    ///< ticks that a swap takes
-  static constexpr std::size_t Absent = 3600; ///< no sample for Gap ticks
-  static constexpr std::size_t Silent = 5600; ///< nothing new for Gap ticks
-  static constexpr std::size_t Broken = 7000; ///< one NaN
+  static constexpr std::size_t Ramp = 200;    ///< number of ticks that a swap takes
+  static constexpr std::size_t Absent = 3600; ///< first of Gap ticks without a sample
+  static constexpr std::size_t Silent = 5600; ///< first of Gap ticks without a new sample
+  static constexpr std::size_t Broken = 7000; ///< tick with one NaN
   static constexpr std::size_t Gap = 100;     ///< 25 ms, longer than the time-out
 
   /// The frame of the device.
@@ -36,9 +36,9 @@ public:
   static WorkspaceMapping mapping();
   static SafetySettings safety();
 
-  /// Without `swaps` the first scene stays in contact. A `friction` that is not negative applies to
-  /// both scenes. With the relaxing body and without swaps there are no losses either: its visits
-  /// are complete.
+  /// Without `swaps` the first scene stays in contact. A non-negative `friction` applies to both
+  /// scenes. With the relaxing body and without swaps there are no losses, so its visits are
+  /// complete.
   explicit TickSeries(unsigned seed, bool swaps = true, double friction = -1.0, double begin = 0.0,
     Supplied bodies = Supplied::Elastic);
 
@@ -48,7 +48,8 @@ public:
     this->ticks[tick].sent = force;
     this->ticks[tick].saidSent = force;
   }
-  /// True if the force of a tick differs enough from that of the tick before to be distinguished.
+  /// Returns true if the force of a tick differs enough from the previous tick's force to be
+  /// distinguished.
   bool moves(std::size_t tick) const;
 
   struct Finding
@@ -57,9 +58,9 @@ public:
     std::size_t tick = 0;
     std::string text;
   };
-  /// The first fault, from the beginning.
+  /// Returns the first fault.
   Finding firstFault() const;
-  /// The counts over all ticks.
+  /// Returns the counts over all ticks.
   TickTally tally() const;
 
   std::vector<TickFacts> ticks;

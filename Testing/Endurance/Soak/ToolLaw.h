@@ -5,8 +5,9 @@
 namespace palpate::endurance
 {
 /**
- * Force on a rigid tool at a deflection δ of a half-space of reduced modulus E*. The closed forms
- * are written here a second time (Sneddon 1965). For every profile dF/dδ = 2 E* a, with
+ * Force on a rigid tool at a deflection δ of a half-space of reduced modulus E*. This is an
+ * independent implementation of the closed forms (Sneddon 1965). For every profile dF/dδ = 2 E* a,
+ * with
  *
  *   flat of radius R   a = R            F = 2 E* R δ
  *   paraboloid         a = √(R δ)       F = 4/3 E* √R δ^1.5
@@ -39,7 +40,7 @@ public:
   /// ∫₀^δ min(dF/dδ, most). The stiffness must not decrease with depth.
   double cappedForce(double depth, double modulus, double most) const;
   /// Relative error of a response stored in 8 samples. For laws that are powers of the depth it is
-  /// the rounding of float32; for the exact sphere it is 2e-4, as stated in the manual.
+  /// the rounding error of float32; for the exact sphere it is 2e-4, as stated in the manual.
   double storageError() const;
 
 private:

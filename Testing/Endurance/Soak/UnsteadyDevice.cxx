@@ -10,7 +10,7 @@ namespace palpate::endurance
 {
 namespace
 {
-/// Only the servo thread changes the number.
+/// Increments a number that only the servo thread changes.
 void add(std::atomic<std::uint64_t>& number) noexcept
 {
   number.store(number.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);

@@ -14,7 +14,7 @@
 
 namespace palpate::endurance
 {
-/// Sample read and force written in one tick, recorded at the device.
+/// The sample read and the force written in one tick, recorded at the device.
 struct DeviceRecord
 {
   double time = 0.0;
@@ -27,31 +27,31 @@ struct DeviceTroubles
 {
   std::uint64_t unplugs = 0;
   std::uint64_t absent = 0;     ///< readings without a valid sample
-  std::uint64_t notANumber = 0; ///< readings that claim to be valid
-  std::uint64_t dropped = 0;    ///< not new: lost or stalled
-  std::uint64_t late = 0;       ///< old, but reported as new
+  std::uint64_t notANumber = 0; ///< readings of NaN that are reported as valid
+  std::uint64_t dropped = 0;    ///< readings that are not new: lost or stalled
+  std::uint64_t late = 0;       ///< old readings that are reported as new
   std::uint64_t hangs = 0;      ///< readings that delayed the loop
 };
 
 /**
- * A device that comes and goes. Each offered device is plugged in for its life, followed by a time
- * without a device. Every reading and force is recorded. Devices are handed over and back by two
- * pointers, so that a tick neither allocates nor frees memory.
+ * A device that is repeatedly plugged in and unplugged. Each offered device is plugged in for its
+ * life, after a time without a device. Every reading and force is recorded. Devices are handed over
+ * and back by two pointers, so that a tick neither allocates nor frees memory.
  * Only the servo thread calls read and write. One other thread calls all other functions.
  */
 class UnsteadyDevice final : public HapticDevice
 {
 public:
-  /// `capacity`: number of ticks kept until they are drained.
+  /// `capacity`: number of ticks that are stored until they are drained.
   UnsteadyDevice(const DeviceSpecification& specification, std::size_t capacity);
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
   DeviceSample read(double time) noexcept override;
   bool write(const Eigen::Vector3d& force) noexcept override;
 
-  /// True if the last device offered was taken.
+  /// Returns true if the last offered device has been taken.
   bool wantsDevice() const { return this->Wants.load(); }
-  /// Offers the next device. Frees the devices that are gone.
+  /// Offers the next device. Frees the devices that are no longer in use.
   void offer(std::unique_ptr<PluggedDevice> device);
 
   template <class Sink>
@@ -61,7 +61,7 @@ public:
   }
   std::uint64_t overruns() const { return this->Records.overruns(); }
   DeviceTroubles troubles() const;
-  /// The force that was left on the device. Call after the loop has ended.
+  /// The force that was left on the device. Must be called after the loop has ended.
   const Eigen::Vector3d& lastForce() const { return this->LastForce; }
 
 private:
@@ -74,9 +74,10 @@ private:
   SceneExchange<PluggedDevice> Devices;
   std::atomic<bool> Wants{ true };
 
-  std::unique_ptr<PluggedDevice> Current; ///< for the servo thread only, as all below
+  std::unique_ptr<PluggedDevice> Current; ///< used only by the servo thread, like the members below
   std::unique_ptr<PluggedDevice> Next;
-  double Since = 0.0; ///< time when Current came, or the one before it went
+  /// Time when Current was plugged in, or when the previous device was unplugged, s.
+  double Since = 0.0;
   DeviceRecord Open;
   bool IsOpen = false;
   Eigen::Vector3d LastForce = Eigen::Vector3d::Zero();

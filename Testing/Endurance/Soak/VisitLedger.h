@@ -7,24 +7,26 @@
 namespace palpate::endurance
 {
 /**
- * Work of the contact force on the tip from one time outside to the next, by the trapezoidal rule:
- * the energy that a hand gains from a body in one visit. It must not be positive, except for the
- * error of the force forms on facets (stability study: 1 % of force times path), whatever
- * relaxation adds. Where a step leads over the surface, the place between its ends where the force
- * begins or ends is unknown: the work of such a step may be anything from zero to the whole force
- * times the step, so half of that is subtracted from the gain.
+ * Work of the contact force on the tip during a visit, by the trapezoidal rule. A visit lasts from
+ * one time outside to the next. The work is the energy that a hand gains from the body in this
+ * visit. It must not be positive, except for the error of the force forms on facets (stability
+ * study: 1 % of force times path), for any relaxation. If a step crosses the surface, the place
+ * between its ends where the force begins or ends is unknown. The work of such a step is between
+ * zero and the whole force times the step, so half of this product is subtracted from the gain.
  */
 class VisitLedger
 {
 public:
-  static constexpr double Allowed = 0.01; ///< of force times path
-  static constexpr double Least = 0.01;   ///< N mm of force times path; below it there was no visit
-  /// mm. Trapezoids are too coarse for a longer path in one tick, as after a late reading.
+  static constexpr double Allowed = 0.01; ///< fraction of force times path
+  /// N mm of force times path; a smaller value is not a visit
+  static constexpr double Least = 0.01;
+  /// mm. The trapezoidal rule is too inaccurate for a longer path in one tick, as after a late
+  /// reading.
   static constexpr double LongestStep = 0.2;
 
-  /// Discards the visit; a new one starts when the tip is outside. For missed ticks.
+  /// Discards the visit, for missed ticks. A new visit starts when the tip is outside.
   void lose() noexcept { this->IsOpen = false; }
-  /// Adds the force on the tip, N, at `tip`, mm. True if a visit ends.
+  /// Adds the force on the tip, N, at `tip`, mm. Returns true if a visit ends.
   bool move(const Eigen::Vector3d& tip, const Eigen::Vector3d& force, bool isOutside) noexcept
   {
     const Eigen::Vector3d way = tip - this->Tip;
@@ -50,7 +52,7 @@ public:
     this->Force = force;
     return isJudged;
   }
-  /// Energy gained for certain in the visit that has ended, over force times path.
+  /// Lower bound of the energy gained in the visit that has ended, divided by force times path.
   double gain() const noexcept { return this->Gain; }
 
 private:
@@ -59,7 +61,7 @@ private:
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   double Work = 0.0;
   double Scale = 0.0;
-  double Doubt = 0.0; ///< N mm, of the steps over the surface
+  double Doubt = 0.0; ///< largest error of Work, from the steps across the surface, N mm
   double Gain = 0.0;
 };
 } // namespace palpate::endurance
