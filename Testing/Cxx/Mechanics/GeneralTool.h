@@ -24,7 +24,7 @@ class GeneralTool final : public AxisymmetricTool
 {
 public:
   using Function = std::function<double(double)>;
-  /// The profile f(r), its derivatives, and its non-smooth points. Radii in mm.
+  /// The profile f(r), its derivatives and its non-smooth points. Radii in mm.
   struct Shape
   {
     Function profile;          ///< f, mm, f(0) = 0
@@ -40,7 +40,7 @@ public:
   std::string specification() const override { return {}; }
   double profile(double r) const override;
   double forceExponent() const override { return this->Given.exponent; }
-  /// Strain by δ/a.
+  /// Depth at which the strain δ/a has the given value, mm.
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
   double reducedProfile(double x) const override;
