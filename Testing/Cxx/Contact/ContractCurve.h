@@ -6,7 +6,7 @@
 
 namespace palpate::testing
 {
-/// What a curve says at a depth.
+/// Force and stiffness of a curve at a depth.
 struct ContractValue
 {
   double force = 0.0;
