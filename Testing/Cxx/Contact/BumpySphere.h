@@ -8,11 +8,12 @@
 #include <vector>
 
 /**
- * A body with any number of triangles, for sliding tips: a sphere of mean radius 100 mm with bumps,
- *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) the unit direction), up to 1 mm high
- *   and about 20 mm apart. It is not convex (curvatures from -1/73 mm) but gentle: its smallest
- *   convex radius of curvature is 30.2 mm, far above any depth of a tip. So the closest point of a
- *   tip up to 5 mm deep is the point straight above it (except for the facets).
+ * A body with any number of triangles, for sliding tips: a sphere with a mean radius of 100 mm and
+ * bumps up to 1 mm high, about 20 mm apart,
+ *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) is the unit direction).
+ * The body is not convex (curvatures from -1/73 mm), but its curvature is small: the smallest
+ * convex radius is 30.2 mm, far above any depth of a tip. Therefore the closest point of a tip up
+ * to 5 mm deep is the point in the same direction (except for the facets).
  */
 namespace palpate::testing
 {

@@ -20,8 +20,8 @@ struct ContactBody;
 namespace palpate::testing
 {
 /**
- * Response arrays of a body, owned by the test: 8 samples, exponent 1.5. Initially the same law F =
- * 10 δ^1.5 (N, mm) up to 2 mm at every point, with normals along z.
+ * Response arrays of a body with 8 samples and the exponent 1.5; this object owns them. Initially
+ * every point has the law F = 10 δ^1.5 (N, mm) up to 2 mm and the normal +z.
  */
 struct ResponseStore
 {

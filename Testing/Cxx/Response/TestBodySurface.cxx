@@ -77,7 +77,7 @@ double enclosedVolume(vtkPolyData* body)
   return sum;
 }
 
-/** A cube of size Side with Cells³ voxels, from the origin, with a point array. */
+/** A cube with the side Side and Cells³ voxels, one corner at the origin, with a point array. */
 vtkSmartPointer<vtkImageData> imageBlock(int first = 0, int last = Cells)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -135,8 +135,8 @@ vtkSmartPointer<vtkUnstructuredGrid> unstructuredBlock()
 }
 
 /**
- * Checks for one closed surface of a cube: no duplicate point, no inner wall, the array at its
- * points.
+ * Checks that the input becomes one closed surface of a cube, without duplicate points or inner
+ * walls, and with the array at its points.
  */
 void checkBlock(vtkDataObject* input)
 {

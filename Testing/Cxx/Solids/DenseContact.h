@@ -15,9 +15,9 @@
 namespace palpate::testing
 {
 /**
- * A contact from the H of a fit without angle means: square cells of uniform pressure, Love's
- * half-space plus H between their centres, and an iterated active set. An independent second way
- * from the same H.
+ * A contact computed from the H of a fit without means over angles, as an independent second way
+ * from the same H: square cells of uniform pressure, Love's solution for the half-space plus H
+ * between their centres, and an iterated active set.
  */
 class DenseContact
 {

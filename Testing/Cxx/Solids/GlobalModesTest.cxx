@@ -193,8 +193,8 @@ TEST(RegularField, BendsAsBeamTheoryHasIt)
  * Six modes of a bar are three for each direction of bending. By Euler's series, G = L³/EI Σ φ_k(ξ)
  * φ_k(η)/λ_k⁴ with |φ_k| <= 2 and λ = 1.875, 4.694, 7.855, 10.996, 14.137..., the modes from the
  * fourth on move no point by more than 4.7e-4 L³/EI: 0.5 % of the largest motion, ξ²(3-ξ)/6 L³/EI,
- * under a force at ξ = 1/2, and 2 % at ξ = 1/4. Shear, torsion and local deformation of a
- * cross-section add to that, and the third mode is not exactly Euler's: twice as much is allowed.
+ * under a force at ξ = 1/2, and 2 % at ξ = 1/4. Twice this error is allowed, because shear, torsion
+ * and local deformation of a cross-section add to it, and the third mode is not exactly Euler's.
  */
 TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
 {
