@@ -12,8 +12,8 @@
  * bumps up to 1 mm high, about 20 mm apart,
  *   r(u) = 100 + sin 15x sin 15y cos 15z   (mm; u = (x, y, z) is the unit direction).
  * The body is not convex (curvatures from -1/73 mm), but its curvature is small: the smallest
- * convex radius is 30.2 mm, far above any depth of a tip. Therefore the closest point of a tip up
- * to 5 mm deep is the point in the same direction (except for the facets).
+ * convex radius is 30.2 mm, far above any depth of a tip. Therefore a tip that is up to 5 mm below
+ * a surface point along its normal has this point as its closest point (except for the facets).
  */
 namespace palpate::testing
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A curve with capped stiffness, against fine quadrature of the data contract (ContractCurve) and
-// against the capped curves of the paper's three tools.
+// against the capped curves of three tools (Mahvash and Hayward 2002).
 #include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"

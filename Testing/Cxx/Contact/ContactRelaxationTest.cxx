@@ -54,7 +54,8 @@ const PronySeries ThreeBranches = relaxation({ { .5, .02 }, { .8, .2 }, { 1.2, 2
 const std::array<const char*, 3> OracleColumns = { "F_flat(m=1)", "F_paraboloid(m=1.5)",
   "F_cone(m=2); p=.5,.8,1.2 tau=.02,.2,2" };
 
-/// Largest difference from the reference of the sheet, relative to the largest force of the run.
+/// Largest difference from the forces of the reference sheet, relative to the largest force of the
+/// run.
 double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillisecond)
 {
   const ReferenceTable table("rate/oracle_stop_and_go.csv");
@@ -78,9 +79,9 @@ double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillis
 }
 } // namespace
 
-// The kernel reproduces the errors of the sheet in the whole tick, for sphere and cone: 0.11 % and
-// 0.26 % with 16 elements, 0.50 % and 1.08 % with 8, 5.0 % and 6.8 % quasi-linear. A flat end is
-// exact.
+// The kernel reproduces the errors of the reference sheet in the whole tick, for sphere and cone:
+// 0.11 % and 0.26 % with 16 elements, 0.50 % and 1.08 % with 8, 5.0 % and 6.8 % quasi-linear. A
+// flat end is exact.
 TEST(ContactRelaxation, StopAndGo)
 {
   struct Case
@@ -128,7 +129,7 @@ TEST(ContactRelaxation, TingsPoints)
       force = contact.update(tipAt(depth), period).normalForce;
       largest = std::max(largest, force);
     }
-    // Largest errors of the sheet with 16 elements.
+    // Largest errors of the reference sheet with 16 elements.
     const double limit = m == 1.0 ? 1e-4 : m == 1.5 ? 4e-3 : 9.1e-3;
     EXPECT_NEAR(force, table.number(row, "F"), limit * largest) << "row " << row;
   }
@@ -486,8 +487,8 @@ void lineTo(std::vector<Vector3>& path, const Vector3& to, int ticks)
 }
 } // namespace
 
-// The worst case of the sheet: a slow press, a fast slide, a fast release. Without drag the
-// exchange would return 0.586 of f δ.
+// The worst case of the reference sheet: a slow press, a fast slide, a fast release. Without drag
+// the exchange would return 0.586 of f δ.
 TEST(ContactRelaxation, SlidingGivesNoEnergy)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.5, 1.0 } }));

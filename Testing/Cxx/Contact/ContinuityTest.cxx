@@ -215,8 +215,8 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
   {
     EXPECT_LT(loopEnergy(sphere(0, false), formOf(form, ContactSurface::Smooth), Depth, 8), floor);
   }
-  // Eq. 3 of the paper loses energy also on the smooth surface, because its blended normal is
-  // shorter than 1.
+  // Eq. 3 of Mahvash and Hayward loses energy also on the smooth surface, because its blended
+  // normal is shorter than 1.
   const ContactSettings paper = formOf(ForceForm::Paper, ContactSurface::Smooth);
   const double coarse = loopEnergy(sphere(0, false), paper, Depth, 8);
   EXPECT_GT(coarse, 10.0 * floor);
@@ -267,7 +267,8 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
       EXPECT_LT(smooth.size, 1.5 * 0.005 * std::pow(h, 4) / std::pow(Radius, 3) + 4e-6);
       EXPECT_LT(smooth.direction, 0.01 * std::pow(h / Radius, 3) + 1e-5);
     }
-    // In Eq. 3 of the paper the blended normals reduce the force by h²/(6R²) on any surface.
+    // In eq. 3 of Mahvash and Hayward the blended normals reduce the force by h²/(6R²) on any
+    // surface.
     const ForceError paper =
       forceError(body, formOf(ForceForm::Paper, ContactSurface::Smooth), Depth, 2000);
     EXPECT_LT(paper.size, 1.1 * h * h / (6.0 * Radius * Radius));

@@ -333,7 +333,8 @@ TEST(BodyCoupling, OfOppositeSidesIsThatOfTheModes)
   const auto beside = under({ 15.0, 10.0, 1.9 });
   EXPECT_DOUBLE_EQ(body.coupling->compliance(above, below), -0.25);
   EXPECT_NEAR(body.coupling->compliance(above, beside),
-    0.25 + above.normal.dot(beside.normal) / (3.14159265358979 * 6.0), 1e-6); // stored as floats
+    // 1e-6: stored as floats
+    0.25 + above.normal.dot(beside.normal) / (3.14159265358979 * 6.0), 1e-6);
 }
 
 TEST(BodyCoupling, NamesWhatIsWrong)
@@ -382,7 +383,7 @@ TEST(CoupledContacts, APinchOfASlenderBodyIsFoundAtOnceAndFollowed)
 {
   CoupledPlate plate(true); // F = 4 δ: 1/4 = 1/k + C
   constexpr double bending = 0.24;
-  constexpr double dent = 100.0; // k, N/mm
+  constexpr double dent = 100.0; // stiffness k of the dent, N/mm
   std::vector<float> modes;
   for (const Vector3& point : plate.surface.points)
   {

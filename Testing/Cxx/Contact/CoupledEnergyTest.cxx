@@ -66,7 +66,7 @@ double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, i
 } // namespace
 
 // Two fingers press up and down at fixed places with a phase difference of a quarter turn, at 1
-// kHz. The sheet states 2e-6 F δ for two rounds, 7e-5 for one.
+// kHz. The reference sheet states 2e-6 F δ for two rounds, 7e-5 for one.
 TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
 {
   const auto body = CoupledPlate().body();
@@ -99,7 +99,7 @@ TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
   CoupledContacts settled(*body, energyConsistent(), 3);
   double sideWork = 0.0;
   const double lost = workOfATurn(settled, motion, 2000, 1, true, &sideWork);
-  EXPECT_LT(std::abs(lost), 2e-6 * scale); // floats in the curve of the law, and chords
+  EXPECT_LT(std::abs(lost), 2e-6 * scale); // error of the curve in floats, and of chords
   EXPECT_GT(sideWork, 1e-2 * scale);
   CoupledContacts normal(*body, {}, 3);
   EXPECT_GT(std::abs(workOfATurn(normal, motion, 2000, 1, true)), 2e-4 * scale);

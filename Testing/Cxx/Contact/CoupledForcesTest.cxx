@@ -91,7 +91,7 @@ TEST(CoupledForces, TwoBallsAgreeWithBoundaryElements)
     const double ratio =
       felt[isFirst ? 0 : 1].normalForce / (10.0 * std::pow(isFirst ? deep : second, 1.5));
     // The law of a point force has an error of at most 0.4 % of the force for two real contacts
-    // (bound of the sheet).
+    // (bound of the reference sheet).
     EXPECT_NEAR(ratio / table.number(row, "BEM"), 1.0, 4e-3) << kind << " " << apart;
     // The stated error is at least this error, except for the rounding of floats. It is largest for
     // the weaker of two unequal contacts.
@@ -187,7 +187,7 @@ TEST(CoupledForces, OfBallsSolveTheEquations)
     for (std::size_t i = 0; i < count; ++i)
     {
       const double expected = 10.0 * std::pow(local[static_cast<Eigen::Index>(i)], 1.5);
-      EXPECT_NEAR(felt[i].normalForce / expected, 1.0, 2e-6) << i; // stored as floats
+      EXPECT_NEAR(felt[i].normalForce / expected, 1.0, 2e-6) << i; // 2e-6: stored as floats
     }
   }
 }
@@ -254,7 +254,7 @@ TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
 }
 
 // At 200 mm/s and 1 kHz two rounds per tick have an error of a thousandth of the force for ten
-// tools (as in the sheet), and of five thousandths for twenty.
+// tools (as in the reference sheet), and of five thousandths for twenty.
 TEST(CoupledForces, TwoRoundsFollowAFastHand)
 {
   const CoupledPlate plate;
@@ -302,7 +302,7 @@ TEST(CoupledForces, OfAHexagonAreBounded)
   const Eigen::MatrixXd matrix = matrixOf(tips, 1.0, 1.0 / (2.0 * CoupledPlate::Flat));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   const double largest = 1.0 / solver.eigenvalues()[0] / (2.0 * CoupledPlate::Flat);
-  EXPECT_NEAR(largest, 1.75, 0.01); // value of the sheet
+  EXPECT_NEAR(largest, 1.75, 0.01); // value of the reference sheet
   tips[0].depth = 1.0;
   CoupledContacts contacts(*body, {}, 7);
   contacts.settle(posesOf(tips).data());

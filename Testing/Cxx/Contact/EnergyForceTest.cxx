@@ -142,7 +142,8 @@ void compareWithDifferences(ContactSurface surface)
     }
   }
   EXPECT_GT(compared, 200);
-  EXPECT_GT(greatestAlong, 0.05); // the tangential part, which eq. 3 of the paper does not have
+  // the tangential part, which eq. 3 of Mahvash and Hayward does not have
+  EXPECT_GT(greatestAlong, 0.05);
 }
 } // namespace
 

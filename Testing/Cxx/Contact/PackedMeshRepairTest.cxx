@@ -178,15 +178,15 @@ TEST(PackedMeshRepair, TheOrderOfTheInputDoesNotMatter)
 
 TEST(PackedMeshRepair, TrianglesWithoutAreaLeaveNoBorder)
 {
-  // A strip of triangles on one line, as from a mesh generator that joined two patches:
-  // (0,0)-(10,0) above, and (0,0)-(5,0)-(10,0) below.
+  // A triangle whose three corners are on one line, as from a mesh generator that joined two
+  // patches: (0,0)-(10,0) above, and (0,0)-(5,0)-(10,0) below.
   Surface seam;
   seam.points = { { 0, 0, 0 }, { 10, 0, 0 }, { 5, 8, 0 }, { 5, -8, 0 }, { 5, 0, 0 } };
   seam.triangles = { { 0, 1, 2 }, { 0, 3, 4 }, { 3, 1, 4 }, { 0, 4, 1 } };
   const PackedMesh mesh = seam.packed();
   EXPECT_EQ(mesh.triangleCount(), 3U);
   EXPECT_EQ(mesh.defects().degenerate, 1U);
-  EXPECT_EQ(mesh.defects().borderEdges, 4U); // the outline
+  EXPECT_EQ(mesh.defects().borderEdges, 4U); // the outer border
   EXPECT_EQ(mesh.defects().nonManifoldEdges, 0U);
   const TriangleTree tree(mesh);
   for (const double x : { 1.0, 5.0, 7.3 })

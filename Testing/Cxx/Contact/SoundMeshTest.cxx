@@ -91,7 +91,7 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
   const Surface hollow = together(outer, reversed(inner), { 0.3, 0.2, 0.1 });
   EXPECT_EQ(repaired(hollow).fault(), "");
   EXPECT_EQ(repaired(hollow).defects().turnedTriangles, 0U);
-  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // the cavity is outside
+  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // the cavity is outside the body
   EXPECT_NEAR(signedDistance(hollow, { 6.3, 0.2, 0.1 }), -1.0, 0.2);
   // A separate ball in the cavity stays if its winding is outward, and is reversed if it is inward.
   for (const bool turn : { false, true })
@@ -176,7 +176,7 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
   EXPECT_EQ(mesh.defects().repeatedTriangles, 27U * 12U - 6U * 9U * 2U);
   EXPECT_EQ(all.packed().defects().borderEdges, 0U);
   EXPECT_NEAR(signedDistance(all, { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
-  EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // near a wall
+  EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // a point near a wall
   for (const Surface& each : { all, reversed(all) }) // also with separate corners for each triangle
   {
     EXPECT_EQ(repaired(triangleSoup(each)).fault(), "");
@@ -213,7 +213,7 @@ TEST(SoundMesh, PartsThatOverlapOrTouchAreRefused)
     bool isSound;
   };
   const Pair pairs[] = { { block(40, 4, 4), block(4, 40, 4), { 18, -18, 0 },
-                           false }, // crossing bars
+                           false }, // two crossing bars
     { block(40, 40, 40), block(40, 40, 40), { 34, 34, 34 }, false },
     { block(10, 10, 10), block(10, 10, 10), { 10, 2, 1 }, false },
     { block(10, 10, 10), block(2, 2, 2), { 4, 4, 10 }, false },
@@ -305,7 +305,7 @@ TEST(SoundMesh, RandomBreakageChangesNothing)
       for (std::size_t t = 0; t < sound.triangles.size(); ++t)
       {
         auto& corners = broken.triangles[t];
-        if (trial > 3 && chance(0.3)) // separate corners
+        if (trial > 3 && chance(0.3)) // gives some triangles separate corners
         {
           for (std::int32_t& corner : corners)
           {

@@ -70,7 +70,7 @@ TEST(ToolContactStates, BeyondRangeOfOneOfThreeVertices)
 {
   const Surface surface = openPlate(10.0, 2);
   ResponseStore store(surface.points.size());
-  store.range[4] = 1.0F; // the inner point
+  store.range[4] = 1.0F; // the point in the middle of the plate
   const auto body = contactBody(surface, store);
   EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -1.5)).state, ContactState::BeyondRange);
   EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -0.9)).state, ContactState::Slide);
@@ -205,7 +205,7 @@ TEST(ToolContactStates, ForeseeingChangesNothing)
     settings.surface = surface;
     ToolContact usual(*body, settings);
     ToolContact foreseeing(*body, settings);
-    foreseeing.foresee(); // before any tip
+    foreseeing.foresee(); // no tip is known yet
     std::array<int, 6> met{};
     for (int tick = 0; tick < 5000; ++tick)
     {

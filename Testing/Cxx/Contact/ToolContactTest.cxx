@@ -153,5 +153,6 @@ TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
       (found.force - Vector3(0, 0, 10.0 * std::pow(depth, 1.5))).norm(), 1e-6 * depth * 10.0);
   }
   contact.reset();
-  EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.1)).force.z(), 0.0); // force of the bottom
+  // the force is that of the bottom
+  EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.1)).force.z(), 0.0);
 }

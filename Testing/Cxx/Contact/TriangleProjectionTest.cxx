@@ -42,7 +42,7 @@ void expectWeights(
 {
   const double size = std::max({ a.norm(), b.norm(), c.norm() });
   EXPECT_GE(found.weights.minCoeff(), 0.0);
-  EXPECT_NEAR(found.weights.sum(), 1.0, 4e-16); // two additions
+  EXPECT_NEAR(found.weights.sum(), 1.0, 4e-16); // rounding of two additions
   const Vector3 point = found.weights[0] * a + found.weights[1] * b + found.weights[2] * c;
   EXPECT_LE((point - found.point).norm(), 4e-15 * size); // a few roundings of the coordinates
 }
@@ -94,7 +94,7 @@ TEST(TriangleProjection, WeightsAreAreas)
       continue;
     }
     ++onFace;
-    // Equation 4 of the paper: the area opposite a corner divided by the whole area.
+    // Equation 4 of Mahvash and Hayward: the area opposite a corner divided by the whole area.
     EXPECT_NEAR(found.weights[0], areaOf(found.point, b, c) / area, 1e-14);
     EXPECT_NEAR(found.weights[1], areaOf(found.point, c, a) / area, 1e-14);
     EXPECT_NEAR(found.weights[2], areaOf(found.point, a, b) / area, 1e-14);

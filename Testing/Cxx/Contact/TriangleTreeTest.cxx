@@ -129,8 +129,8 @@ TEST(TriangleTree, OnePointBeyondAllDoesNotSpoilTheBody)
     EXPECT_EQ(mesh.defects().notFinite, 1U);
     EXPECT_EQ(mesh.centre(), Vector3::Zero());
     const Vector3 tip = 1.5 * body.points.front();
-    EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) // floats of 20 mm
-      << beyond;
+    // rounding of coordinates of 20 mm to floats
+    EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) << beyond;
   }
 }
 

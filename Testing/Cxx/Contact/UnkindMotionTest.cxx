@@ -78,7 +78,8 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
       const Vector3& tip = tips[++next % tips.size()];
       const Contact found = contact.update(tip);
       EXPECT_EQ(found.state, ContactState::Slide);
-      EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip))); // as without a history
+      // same force as without a history
+      EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip)));
     }
   }
   // If squares of distances exceed the range of a double, there is no force, and the next contact

@@ -18,7 +18,7 @@ struct Approach
   static constexpr double Depth = 0.4;    ///< mm
   static constexpr double Noise = 0.001;
 
-  double length = 1.0; ///< of the approach, mm
+  double length = 1.0; ///< length of the approach, mm
   int before = 200;    ///< readings before the contact
   int inContact = 80;
   double offset = 0.0;

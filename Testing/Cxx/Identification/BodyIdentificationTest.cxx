@@ -80,7 +80,8 @@ TEST(BodyIdentification, FindsTheLayer)
       *tip, [&](double d) { return layer.evaluate(d, Modulus).force; }, readings, random) });
     ASSERT_EQ(body.refusal, "") << thickness;
     EXPECT_EQ(body.body.model, BodyModel::Layer);
-    EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6)); // as above
+    // same tolerance as with a compliance
+    EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6));
     EXPECT_TRUE(agrees(body.thickness.value, thickness, 1e-6));
     EXPECT_NEAR(body.contactOffset[0].value, -0.2, 1e-7);
   }

@@ -216,7 +216,7 @@ TEST(CurvesFile, ReadsTablesAsItReadsFiles)
   const auto refuse = [&curves](const palpate::CurvesTable& wrong, const std::string& error)
   {
     EXPECT_EQ(readCurves(wrong, curves), error);
-    EXPECT_EQ(curves.curves.size(), 1U); // unchanged
+    EXPECT_EQ(curves.curves.size(), 1U); // the content is unchanged
   };
   palpate::CurvesTable wrong = table;
   wrong.field = [&rows](std::size_t row, std::size_t column)

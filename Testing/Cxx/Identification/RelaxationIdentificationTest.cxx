@@ -106,7 +106,7 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
   std::printf(
     "  %s: %.2f %%; %s\n", textOf(body.relaxation).c_str(), 100.0 * worst, body.remark.c_str());
-  // In the sheet the median of the largest errors of its fits is 1.0 %.
+  // The sheet's own fits have errors with a median of 1.0 %.
   EXPECT_LT(worst, 0.01);
   EXPECT_TRUE(holds(body.reducedModulus, UnitModulus));
   for (std::size_t i = 0; i < 2; ++i)

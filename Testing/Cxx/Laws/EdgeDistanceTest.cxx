@@ -66,8 +66,8 @@ Mesh sheet(int n, int m, const Place& place)
   return mesh;
 }
 
-/// A roof: horizontal up to the ridge at x = 0, then falling at the angle `fall` (rad). The ridge
-/// has a fillet of the given radius.
+/// A roof: horizontal up to the ridge at x = 0, then sloping down at the angle `fall` (rad). The
+/// ridge is rounded with the radius `fillet`.
 Mesh roof(double size, int n, double fall, double fillet)
 {
   return sheet(n, n,

@@ -112,7 +112,8 @@ TEST_F(ErrorOfALaw, OfAWholeResponse)
   // Hertz: s = 4/(3π) a/R. The law is stored exactly.
   const auto strain = [](double depth)
   { return smallStrainError(4.0 / (3.0 * Pi) * std::sqrt(depth / 4.0), 0.3, 0.0, 0.0); };
-  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4); // linear between samples
+  // validity is interpolated linearly between samples
+  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4);
   for (int i = 0; i < samples; ++i)
   {
     const double depth = 2.0 * (i + 1) * (i + 1) / (samples * samples);

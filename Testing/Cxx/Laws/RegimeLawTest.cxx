@@ -80,7 +80,7 @@ TEST(RegimeLaw, OnALayerTheShapeMattersMore)
   range.add(spot);
   const RegimeLaw law(*tool, range, Deepest);
   const SpotRegime found = law.regime(spot, 1.0, law.force(spot, 1.0));
-  EXPECT_LT(found.index, 0.0); // stiffened by the base
+  EXPECT_LT(found.index, 0.0); // the base makes the layer stiffer than a half-space
   EXPECT_GT(found.sensitivity, 0.5);
 }
 

@@ -27,7 +27,7 @@ BodyMaterial halfSpace(double poissonRatio = 0.45)
   return material({ 0.1, poissonRatio, 0.0, LayerBase::Bonded, false });
 }
 
-/// A shape with twice the given curvature at one point of ten.
+/// A shape whose curvature is twice the given one at every tenth point.
 SurfaceShape dented(double curvature)
 {
   return { 1e3, [](std::size_t) { return 0.0; },

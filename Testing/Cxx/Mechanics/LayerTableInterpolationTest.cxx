@@ -67,7 +67,8 @@ TEST(LayerTable, AnyThickness)
           0.1 * std::exp(std::uniform_real_distribution<double>(0.0, 7.6)(random));
         if (table.answers(thickness))
         {
-          expectExact(*pressed, table, LayerBase::Bonded, thickness, nu, 1e-7); // guaranteed error
+          // 1e-7: guaranteed error
+          expectExact(*pressed, table, LayerBase::Bonded, thickness, nu, 1e-7);
           ++answered;
         }
       }

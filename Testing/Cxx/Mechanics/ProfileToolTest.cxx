@@ -208,7 +208,8 @@ TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
   std::string error;
   EXPECT_FALSE(palpate::parseTool("profile:/nowhere/tip.csv", kept, error));
   EXPECT_NE(error.find("/nowhere/tip.csv: cannot be opened"), std::string::npos) << error;
-  EXPECT_FALSE(palpate::parseTool("profile:" + ::testing::TempDir(), kept, error)); // a folder
+  // the path is a folder
+  EXPECT_FALSE(palpate::parseTool("profile:" + ::testing::TempDir(), kept, error));
 }
 
 TEST(ProfileSpecification, RoundTripToTheBit)

@@ -134,7 +134,7 @@ TEST(ToolSingularities, WallsOfTheProfile)
 {
   EXPECT_EQ(tool("flat:1.6")->profile(1.6), 0.0);
   EXPECT_EQ(tool("flat:1.6")->profile(1.6000001), Infinity);
-  EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1.6), 1.6, 1e-15)); // R·R/R
+  EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1.6), 1.6, 1e-15)); // computed as R·R/R
   EXPECT_EQ(tool("sphere:1.6")->profile(1.6000001), Infinity);
   // R - √(R²-r²) = r²/2R at the tip, to (r/R)²/4.
   EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1e-9), 1e-18 / 3.2, 1e-15));

@@ -204,5 +204,6 @@ TEST(ToolSpecification, MakesNothingOfWhatItRefuses)
       }
     }
   }
-  EXPECT_EQ(palpate::makeTool(shaped(ToolShape::Profile)), nullptr); // no points yet
+  // the profile has no points yet
+  EXPECT_EQ(palpate::makeTool(shaped(ToolShape::Profile)), nullptr);
 }

@@ -267,7 +267,7 @@ void checkModes()
     const double moved = displacement(made->FindPoint(-0.5 * width, 0.0, height));
     PALPATE_CHECK_NEAR(moved / beam(loaded), -beam(height) / beam(loaded), 0.03);
   }
-  PALPATE_CHECK(displacement(made->FindPoint(0.0, 0.0, 0.0)) == 0.0); // held
+  PALPATE_CHECK(displacement(made->FindPoint(0.0, 0.0, 0.0)) == 0.0); // held points do not move
 }
 
 /// A surface that crosses itself is replaced by its outer surface, which can be filled.

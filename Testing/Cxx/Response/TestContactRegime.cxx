@@ -87,16 +87,16 @@ void checkLayerSensitivity()
     regime->SetPoissonRatio(0.5);
     regime->SetLayerThickness(2.0 / chis[i]);
     regime->Update();
-    // the sheet states 2 digits
+    // the reference sheet states 2 digits
     PALPATE_CHECK_NEAR(result(regime, "ToolSensitivity", 0), sensitivities[i], 0.005);
     PALPATE_CHECK(result(regime, "RegimeIndex", 0) < 0.0);
     PALPATE_CHECK(result(regime, "RegimeVerdict", 0) == 0.0);
   }
 }
 
-/// Two spheres of the paper on 10 mm of liver (ν = ½), pressed 5 mm deep. Their forces differ by a
-/// factor of 3.27, on a half-space by 1.99. The shape has the largest effect where λ is most
-/// negative.
+/// Two spheres of Mahvash and Hayward 2002 on 10 mm of liver (ν = ½), pressed 5 mm deep. Their
+/// forces differ by a factor of 3.27, on a half-space by 1.99. The shape has the largest effect
+/// where λ is most negative.
 void checkLiverSlab()
 {
   Body body = planeBody(10.0, 1);
@@ -112,7 +112,7 @@ void checkLiverSlab()
     return filter->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(0, 7);
   };
   PALPATE_CHECK_NEAR(
-    // the sheet states two decimals
+    // the reference sheet states two decimals
     force("paraboloid:6.35", 10.0) / force("paraboloid:1.6", 10.0), 3.27, 0.005);
   PALPATE_CHECK_NEAR(force("paraboloid:6.35", 0.0) / force("paraboloid:1.6", 0.0), 1.99, 0.005);
   // λ = 1 - δ_hs/δ with F ∝ δ^1.5: 1 - (F/F_Hertz)^(2/3).

@@ -116,7 +116,7 @@ void checkStrip()
   const auto dent = [reduced](double force)
   {
     return force > 0.0 ? std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0)
-                       : 0.0; // by Hertz
+                       : 0.0; // Hertz's law
   };
   PALPATE_CHECK_NEAR(alone[0] * c11 + dent(alone[0]), depth, 0.04 * depth);
   PALPATE_CHECK_NEAR(alone[1] * c22 + dent(alone[1]), depth, 0.04 * depth);

@@ -122,7 +122,7 @@ void checkModes(int modes)
     const auto found = displacement(filter, i);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      // floats in the modes and in the sums
+      // the modes and their sums are floats
       PALPATE_CHECK_NEAR(found[c], expected[c], 1e-6 * Depth);
     }
   }

@@ -26,7 +26,7 @@ void checkTips()
     PALPATE_CHECK(displacement(filter, 0)[2] == -depth); // under a flat punch u_z is the depth
     PALPATE_CHECK(isZero(displacement(filter, 100)) == (depth == 0.0));
   }
-  filter->SetTipData(Body::New()); // no tips: no contact
+  filter->SetTipData(Body::New()); // without tips there is no contact
   filter->Update();
   PALPATE_CHECK(isZero(displacement(filter, 0)));
   PALPATE_CHECK(filter->GetOutput()->GetPoints() == body->GetPoints());

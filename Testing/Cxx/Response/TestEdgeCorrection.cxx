@@ -165,7 +165,7 @@ void checkErrorAndChoice()
   const double without = errorBeside(false);
   const double with = errorBeside(true);
   PALPATE_CHECK(with < 0.5 * without);
-  PALPATE_CHECK(with > 0.01); // the remaining error
+  PALPATE_CHECK(with > 0.01); // a part of the error remains
 
   const auto reasonOn = [](vtkPolyData* body)
   {

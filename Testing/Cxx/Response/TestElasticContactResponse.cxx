@@ -412,7 +412,7 @@ void checkFinerSurface()
   PALPATE_CHECK(open > 0.05 && open < 1.0);
 
   finer->SetSurfaceData(plane);
-  finer->SetTool(makeTool("cone:70")); // needs no new solution
+  finer->SetTool(makeTool("cone:70")); // a change of the tool needs no new solution
   finer->Update();
   PALPATE_CHECK(finer->GetNumberOfSolutions() == 0);
   own->SetTool(makeTool("cone:70"));

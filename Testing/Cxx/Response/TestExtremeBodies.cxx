@@ -113,7 +113,8 @@ void checkOneTriangle(const std::string& folder)
   regime->SetYoungsModulus(3.45);
   regime->SetPoissonRatio(0.0);
   PALPATE_CHECK(runs(regime.Get()));
-  PALPATE_CHECK_NEAR(valueOf(regime->GetOutput(), "RegimeIndex", 0), 0.0, 1e-5); // a half-space
+  // the index of a half-space is 0
+  PALPATE_CHECK_NEAR(valueOf(regime->GetOutput(), "RegimeIndex", 0), 0.0, 1e-5);
   vtkNew<vtkReducedContactResponse> reduced;
   reduced->SetInputData(body);
   PALPATE_CHECK(runs(reduced.Get()));
@@ -164,7 +165,8 @@ void checkToolLargerThanBody()
     const Body tips =
       probed(body, tipsAt({ { 0.0, 0.0, 3.5 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, -4.9 } }));
     const double force = makeTool(tool)->GetForce(1.5, 3.45);
-    PALPATE_CHECK_NEAR(valueOf(tips, "NormalForce", 0), force, 5e-4 * force); // eight samples
+    // error of a curve with eight samples
+    PALPATE_CHECK_NEAR(valueOf(tips, "NormalForce", 0), force, 5e-4 * force);
     for (vtkIdType i = 0; i < 3; ++i)
     {
       PALPATE_CHECK(std::isfinite(valueOf(tips, "NormalForce", i)));

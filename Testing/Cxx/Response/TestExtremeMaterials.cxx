@@ -44,7 +44,7 @@ Response respond(const std::string& tool, double young, double poisson, double r
   vtkDataArray* status = data->GetArray("ResponseStatus");
   for (vtkIdType i = 0; status && i < status->GetNumberOfTuples(); ++i)
   {
-    response.invalid += status->GetTuple1(i) == 2.0 ? 1 : 0; // NotFinite
+    response.invalid += status->GetTuple1(i) == 2.0 ? 1 : 0; // code of NotFinite
   }
   return response;
 }

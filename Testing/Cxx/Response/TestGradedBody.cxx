@@ -519,7 +519,7 @@ void checkErrors()
   open->SetEndTheta(200.0);
   open->Update();
   fails(open->GetOutput(), nothing, { "not closed", "hole", "wide" });
-  // Two boxes that overlap.
+  // Two overlapping boxes.
   vtkNew<vtkTransform> beside;
   beside->Translate(5.0, 3.0, 2.0);
   vtkNew<vtkTransformPolyDataFilter> other;

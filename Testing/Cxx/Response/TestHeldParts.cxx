@@ -200,7 +200,8 @@ void checkRimsThatNearlyTouch()
   PALPATE_CHECK(messages.errors().empty());
   // the cells are not made smaller
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() < filter->GetCellEstimate());
-  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;              // two halves
+  // volume of two halves of a ball
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
   PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // error of straight edges
 }
 

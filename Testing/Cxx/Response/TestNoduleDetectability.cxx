@@ -179,7 +179,7 @@ void checkKeptAndThreads()
   filter->SetThreshold(0.05);
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
-  filter->AddMoreTool("sphere:8"); // a wider contact
+  filter->AddMoreTool("sphere:8"); // this tool has a wider contact
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfSolutions() == solved);
   const vtkSmartPointer<vtkDataArray> expected = arrayOf(filter, "ForceChange");

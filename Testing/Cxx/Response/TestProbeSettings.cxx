@@ -138,7 +138,8 @@ void checkTimes()
   const Body tips = pressingLine(8);
   vtkDataArray* time = tips->GetPointData()->GetArray("Time");
   PALPATE_CHECK(update(tips).empty());
-  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time); // passed on
+  // the array is passed on
+  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time);
   time->SetTuple1(4, time->GetTuple1(3)); // two tips at the same time
   PALPATE_CHECK(update(tips).empty());
   time->SetTuple1(4, 0.25);

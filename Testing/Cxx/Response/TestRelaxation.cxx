@@ -76,8 +76,8 @@ void checkAttached(vtkPolyData* body)
     modelOf(made), "relaxing point by point in 0.1 s, 2 s", "except its global compliance");
 }
 
-/// Without relaxation no array of it remains, not even one from another response of the same name.
-/// The curves are the same as with relaxation.
+/// Without relaxation there are none of its arrays, not even those of another response of the same
+/// name. The curves are the same as with relaxation.
 void checkOff(vtkPolyData* body)
 {
   const Filter never = filterOf(body, "sphere:5", 1.0);

@@ -209,7 +209,7 @@ void checkPlateOnItsEdges()
     PALPATE_CHECK_NEAR(feel(output, depth), right, 1.01 * lost * feel(body, Deepest));
     PALPATE_CHECK(feel(output, depth) > right); // the spring lacks the soft start of the curve
   }
-  // The other tools of the paper get the same spring, to 7 %: Figure 5 of the paper.
+  // The other tools of Mahvash and Hayward 2002 get the same spring, to 7 %, as in Figure 5 there.
   for (const char* other : { "paraboloid:1.6", "flat:1.6" })
   {
     const Choice same = choose(plate(other), 0.03);

@@ -209,7 +209,7 @@ void checkBadPoints(bool givenNormals)
   const std::string summary = std::to_string(expected.size()) + " of 19 points";
   PALPATE_CHECK_TEXT(messages.warnings(), summary.c_str(), "ResponseStatus");
   PALPATE_CHECK(messages.warnings().find("points", messages.warnings().find("points") + 6) ==
-    std::string::npos); // combined in one warning
+    std::string::npos); // all points are combined in one warning
   vtkPointData* data = filter->GetOutput()->GetPointData();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {

@@ -43,11 +43,11 @@ void checkStrain()
   Body flat = planeBody(10.0, 3);
   expect(flat, "sphere:5", 2.0, sphereDepth(2.0, 5.0), Strain);
   expect(flat, "sphere:5", 0.5, 0.5, None);
-  expect(flat, "paraboloid:5", 2.0, 0.16 * 5.0, Strain); // a² = Rδ
-  expect(flat, "flat:1.6", 2.0, 0.4 * 1.6, Strain);      // δ/a
+  expect(flat, "paraboloid:5", 2.0, 0.16 * 5.0, Strain); // the contact radius is a² = Rδ
+  expect(flat, "flat:1.6", 2.0, 0.4 * 1.6, Strain);      // the strain is δ/a
   expect(flat, "flat:6", 2.0, 2.0, None);
   expect(flat, "cone:60", 2.0, 0.0, Strain); // δ/a = (π/2) cot 60° = 0.9 at any depth
-  expect(flat, "cone:80", 2.0, 2.0, None);   // 0.28
+  expect(flat, "cone:80", 2.0, 2.0, None);   // δ/a = 0.28
 }
 
 /// On a sphere every edge gives exactly the curvature 1/R: |n_j - n_i| = |x_j - x_i|/R.

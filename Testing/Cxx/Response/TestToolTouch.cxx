@@ -173,7 +173,7 @@ void checkDent()
     }
     double u[2];
     tool->GetSurfaceDisplacement(r, Depth, 0.45, u);
-    PALPATE_CHECK_NEAR(is[2], -u[1], 1e-6 * Depth); // floats
+    PALPATE_CHECK_NEAR(is[2], -u[1], 1e-6 * Depth); // 1e-6: stored as floats
     PALPATE_CHECK_NEAR(dent->GetTuple1(i), u[1], 1e-6 * Depth);
     ++checked;
   }

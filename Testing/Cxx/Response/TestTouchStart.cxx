@@ -170,7 +170,7 @@ void checkResponse()
   PALPATE_CHECK_NEAR(startOf(body).norm(), 0.0, 1e-9);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    status->SetValue(i, isLeft(i) ? 4 : 0); // out of reach
+    status->SetValue(i, isLeft(i) ? 4 : 0); // 4: out of reach
   }
   PALPATE_CHECK(startOf(body).x() >= 4.0 && startOf(body).x() < 8.0);
   status->FillValue(4);

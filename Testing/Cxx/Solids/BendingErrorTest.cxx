@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stated fraction of a plate's bending that its elements miss, against elements of half the
-// size; and the interpolation of this fraction between places.
+// size; and the interpolation of this fraction between places. H is the regular part of the Green
+// function (RegularGreen.h).
 #include "Solids/TrueShape/BendingError.h"
 
 #include "ShapedBodies.h"

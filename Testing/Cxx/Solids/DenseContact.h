@@ -17,7 +17,7 @@ namespace palpate::testing
 /**
  * A contact computed from the H of a fit without means over angles, as an independent second way
  * from the same H: square cells of uniform pressure, Love's solution for the half-space plus H
- * between their centres, and an iterated active set.
+ * between their centres, and an iterated active set. H is the regular part of the Green function.
  */
 class DenseContact
 {

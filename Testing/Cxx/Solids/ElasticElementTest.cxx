@@ -63,7 +63,7 @@ TEST(ElasticElement, SixRigidMotionsAndNoOthersAreFree)
     EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum{ Eigen::MatrixXd(k) };
     const auto& values = spectrum.eigenvalues();
-    EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff()); // rounding
+    EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff()); // 1e-13: rounding
     EXPECT_GT(values[6], 1e-3 * values.maxCoeff());
   }
 }
@@ -83,7 +83,8 @@ TEST(ElasticElement, EnergyOfHomogeneousStrain)
     edges << x.col(1) - x.col(0), x.col(2) - x.col(0), x.col(3) - x.col(0);
     const double volume = edges.determinant() / 6.0;
     EXPECT_TRUE(
-      agrees(0.5 * u.dot(k * u), volume * stretch.energyDensity(Material), 1e-13)); // rounding
+      // 1e-13: rounding
+      agrees(0.5 * u.dot(k * u), volume * stretch.energyDensity(Material), 1e-13));
   }
 }
 
@@ -112,7 +113,7 @@ TEST(ElasticElement, PatchTest)
     const Eigen::Matrix3Xd moved = stretch.gradient * mesh.nodes;
     const Eigen::Map<const Eigen::VectorXd> u(moved.data(), moved.size());
     const Eigen::VectorXd force = stiffness.lower.selfadjointView<Eigen::Lower>() * u;
-    EXPECT_LT(force.segment<3>(39).norm(), 1e-12 * force.norm()); // rounding
+    EXPECT_LT(force.segment<3>(39).norm(), 1e-12 * force.norm()); // 1e-12: rounding
     EXPECT_TRUE(agrees(0.5 * u.dot(force), 8.0 * stretch.energyDensity(Material), 1e-12));
   }
 }

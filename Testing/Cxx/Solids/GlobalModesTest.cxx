@@ -202,7 +202,7 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
   const GlobalModes modes = beam.modes(6);
   ASSERT_EQ(modes.fields.size(), 6U);
   EXPECT_EQ(modes.landmarks.size(), 48U);
-  EXPECT_LT(modes.asymmetry, 1e-3); // Betti's theorem
+  EXPECT_LT(modes.asymmetry, 1e-3); // by Betti's theorem the asymmetry is zero
   int compared = 0;
   double worst = 0.0;
   for (int x = Length / 4; x < Length; ++x)
@@ -223,7 +223,7 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
     {
       const Eigen::Vector3d exact = whole.col(surface.node(i));
       largest = std::max(largest, exact.norm());
-      if (surface.normal(i)[2] < 0.4) // no dent there
+      if (surface.normal(i)[2] < 0.4) // the dent does not reach this side
       {
         error = std::max(error, (found.col(i) - exact).norm());
       }
@@ -254,7 +254,8 @@ TEST(GlobalModes, HoldWhereNoPatchIsValid)
   const double largest = whole.colwise().norm().maxCoeff();
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
-    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side) // by Saint-Venant
+    // Saint-Venant's principle
+    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side)
     {
       // Same tolerance as in MoveABarAsTheFullSolutionDoes beyond half of the length.
       EXPECT_LT((found.col(i) - whole.col(surface.node(i))).norm(), 0.01 * largest) << i;
@@ -283,7 +284,7 @@ TEST(GlobalModes, MoreModesThanLandmarks)
   const GlobalModes modes = block.modes(6);
   ASSERT_EQ(modes.landmarks, std::vector<std::int32_t>{ top });
   ASSERT_EQ(modes.fields.size(), 6U);
-  EXPECT_LT(difference(motion(block, modes, top), block.regular(top)), 1e-12); // rounding
+  EXPECT_LT(difference(motion(block, modes, top), block.regular(top)), 1e-12); // 1e-12: rounding
   for (std::size_t k = 1; k < 6; ++k)
   {
     EXPECT_TRUE(modes.fields[k].isZero(0.0));
@@ -346,7 +347,7 @@ TEST(GlobalModes, ScaleAsOneOverTheRootOfTheModulus)
   const std::int32_t top = soft.at(3, 3, 3);
   const Eigen::Matrix3Xd a = motion(soft, soft.modes(3), top);
   const Eigen::Matrix3Xd b = motion(stiff, stiff.modes(3), top);
-  EXPECT_LT(difference(4.0 * b, a), 1e-9); // rounding times the condition
+  EXPECT_LT(difference(4.0 * b, a), 1e-9); // rounding times the condition number
 }
 
 TEST(GlobalModes, StopWhenToldTo)

@@ -44,7 +44,7 @@ TEST(DiscRule, MomentsOfAUniformDisc)
       const double exact = p % 2 || q % 2 ? 0.0
                                           : 2.0 / (p + q + 2) * std::tgamma(0.5 * (p + 1)) *
           std::tgamma(0.5 * (q + 1)) / (Pi * std::tgamma(0.5 * (p + q + 2)));
-      EXPECT_NEAR(sum, exact, 1e-15) << p << " " << q; // rounding
+      EXPECT_NEAR(sum, exact, 1e-15) << p << " " << q; // 1e-15: rounding
     }
   }
 }
@@ -130,7 +130,7 @@ TEST(HalfSpaceField, SurfaceAndEquilibrium)
   // Reference, section 1: u_r = -(1-2ν)/(2π(1-ν)E*) F/r.
   EXPECT_TRUE(agrees(above.head<2>().norm(),
     (1.0 - 2.0 * nu) * (1.0 - nu * nu) / (2.0 * Pi * (1.0 - nu) * 5.0), 1e-14));
-  EXPECT_LT(above[0], 0.0); // towards the force
+  EXPECT_LT(above[0], 0.0); // the motion is towards the force
 
   const Eigen::Vector3d at(0.7, -0.4, 0.9);
   const double h = 1e-3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pole of a hemisphere that slips on its base, against the series for a ball loaded at both
 // poles (Data/Reference/shape/ball_regular.csv) and against contacts on this ball (hemisphere.csv).
+// H is the regular part of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "Mechanics/GeneralTool.h"

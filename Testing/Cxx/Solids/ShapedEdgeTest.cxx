@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contacts near the edge of a block, against a full two-dimensional contact with H from another
-// code (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and the end of the law at the edge.
+// code (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and the end of the law at the edge. H
+// is the regular part of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "DenseContact.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A ball of another modulus under the surface of a bonded block of voxels, against an axisymmetric
-// code whose meshes follow the ball (Data/Reference/shape/nodule_forces.csv).
+// code whose meshes follow the ball (Data/Reference/shape/nodule_forces.csv). H is the regular part
+// of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "Agreement.h"

@@ -44,7 +44,7 @@ struct Small
       }
       made.push_back(load);
     }
-    made.emplace_back(); // an empty load
+    made.emplace_back(); // a load without entries
     return made;
   }
 };

@@ -147,7 +147,8 @@ TEST(FiniteIndentation, LayersOfOneMaterialAreOneLayer)
   problem.layers[1].thickness = 0.6;
   const FiniteCurve two = pressTool(outline, problem);
   ASSERT_EQ(one.fault + two.fault, "");
-  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4)); // the two meshes differ
+  // 5e-4: error of the different meshes
+  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4));
   // A stiffer layer below increases the force.
   problem.layers[1].youngsModulus *= 3.0;
   EXPECT_GT(pressTool(outline, problem).points.at(0).force, 1.1 * one.points[0].force);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The effect of finite strain on a force: tables and solver against another code
+// The factor c by which finite strain changes a force: tables and solver against another code
 // (Data/Reference/deep, Data/Studies/calculix), against Long et al. 2011, and by general
 // properties.
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -35,7 +35,7 @@ std::unique_ptr<StrainCorrection> correction(const AxisymmetricTool& given, doub
   return made;
 }
 
-/// c by the solver, on a mesh that differs from that of the tables.
+/// The factor c by the solver, on a mesh that differs from that of the tables.
 double solvedFactor(const AxisymmetricTool& pressed, FiniteProblem problem, double depth)
 {
   problem.contactRadius = pressed.contactRadius(depth);
@@ -202,7 +202,7 @@ TEST(StrainCorrection, TheErrorBeyondTheTableCoversWhatIsThere)
   constexpr double deepest = 1.3;
   const auto made = correction(*sphere, deepest, halfSpaces());
   FiniteProblem problem;
-  FiniteLayer body; // half-space
+  FiniteLayer body; // without layers: a half-space
   body.poissonRatio = 0.48;
   problem.layers = { body };
   const double exact = solvedFactor(*sphere, problem, deepest);
