@@ -38,7 +38,7 @@ Surface subdivided(Surface body, int times);
 /// `radius`.
 Surface icosphere(double radius, int times);
 
-/// Torus about the z axis. Not convex; a hole through it.
+/// A torus around the z axis, which is not convex.
 Surface torus(double majorRadius, double minorRadius, int around, int across);
 
 /// A prism over a polygon (x, y counter-clockwise) from z = 0 to `height`. `caps` are triangles of

@@ -41,7 +41,8 @@ double force(const ToolSpecification& tool, const ContactSpot& spot, double dept
 }
 } // namespace
 
-/// Parabolas add: 1/R + κ is the curvature of another paraboloid (Hertz 1882).
+/// The profiles of two paraboloids add: 1/R + κ is the curvature of another paraboloid (Hertz
+/// 1882).
 TEST(CurvedContact, AParaboloidOnABallIsASharperOne)
 {
   for (const double kappa : { -0.1, 0.05, 0.5 })

@@ -51,7 +51,7 @@ TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
 }
 
 /// Depths between the nodes of the table of the exact sphere, and in the first interval of the
-/// table, where the law is taken as a power of the radius.
+/// table, where the contact radius is taken as a power of √δ.
 TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
 {
   for (const ToolSpecification& tool :

@@ -141,7 +141,8 @@ Mesh cubeOf(double size, int n)
   return mesh;
 }
 
-/// Visits the points whose distance from the border of the sheet is more than a limit.
+/// Visits the points whose coordinates are all smaller than `within`, which are away from the
+/// border of the sheet.
 template <class Visit>
 void forInner(const Mesh& mesh, double within, const Visit& visit)
 {

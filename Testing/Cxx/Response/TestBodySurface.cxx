@@ -250,7 +250,7 @@ void checkFlaps()
   add(once->GetId(1), once->GetId(2), once->GetId(0)); // the triangle occurs twice
   vtkNew<vtkIdList> both;
   ball->GetCellPoints(5, both);
-  add(both->GetId(2), both->GetId(0), both->GetId(1)); // the triangle occurs twice, once reversed
+  add(both->GetId(2), both->GetId(0), both->GetId(1)); // a copy and a reversed copy
   add(both->GetId(1), both->GetId(0), both->GetId(2));
   add(once->GetId(0), once->GetId(1), both->GetId(0)); // two sides of a flap across the ball
   add(once->GetId(1), once->GetId(0), both->GetId(0));

@@ -87,7 +87,8 @@ void checkOneSite(const std::string& folder)
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  // The assumed noise of 0.3 % in 200 readings gives an error of a few thousandths.
+  // The smallest assumed noise, 0.3 % of the force, gives an error of a few thousandths with 200
+  // readings.
   const double found = siteNumber(filter, 0, "ReducedModulus (MPa)");
   PALPATE_CHECK_NEAR(found, Modulus, 2e-3 * Modulus);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ContactOffset (mm)"), 0.2, 1e-3);

@@ -81,7 +81,7 @@ void checkThinLobe(const std::string& folder)
       body->GetPoint(i, x);
       const bool above = x[2] == 0.5;
       const bool inside =
-        std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // at the edges normals point sideways
+        std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // at the edges the normals are not vertical
       const bool valid = array(filter, "ResponseStatus")->GetTuple1(i) == 0.0;
       PALPATE_CHECK(!valid || above);
       PALPATE_CHECK(valid || !above || !inside);

@@ -37,7 +37,7 @@ using namespace palpate::testing;
 using palpate::Infinity;
 using palpate::NotANumber;
 
-/// The random choices for one body.
+/// Random numbers and choices for one body.
 class Dice
 {
 public:

@@ -116,7 +116,7 @@ void checkTable(double depth, double ratio, double allowed)
   const Detectability filter = felt(grid, Tools[0], 1.2);
   filter->AddMoreTool(Tools[1]);
   filter->AddMoreTool(Tools[2]);
-  filter->SetMaximumDeflection(0.8); // the largest depth of the table for the small tools
+  filter->SetMaximumDeflection(0.8); // largest depth of the table for the small tools
   filter->SetSourceSpacing(1.0);
   filter->SetSourceSpacingWithout(8.0);
   Messages messages(filter.Get());

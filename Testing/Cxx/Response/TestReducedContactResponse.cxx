@@ -84,7 +84,7 @@ void checkFelt(vtkPolyData* body, vtkPolyData* reduced, double tolerance)
   for (vtkIdType i = 0; i < 4000; ++i)
   {
     const double force = forces[0]->GetTuple1(i);
-    // Below the first sample, 1/32 mm, the error is relative to the force there.
+    // Below the first sample, at 1/32 mm, the error is relative to the force at the first sample.
     PALPATE_CHECK_NEAR(forces[1]->GetTuple1(i), force, 1.1 * tolerance * std::max(force, 2e-3));
   }
 }

@@ -91,7 +91,8 @@ void checkEllipsoid()
   }
 }
 
-/// c of a sphere at δ = R/2, from another code (Data/Reference/deep): 0.988 at ν = 0.45.
+/// The factor c of a sphere at δ = R/2 is 0.988 at ν = 0.45, from another code
+/// (Data/Reference/deep).
 void checkNeoHooke()
 {
   const Body body = planeBody(40.0, 4);

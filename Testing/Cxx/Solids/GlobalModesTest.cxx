@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The modes of bodies that bend, against full solutions at points that are not landmarks, C_g and
-// beam theory; the subtracted dent; bodies with few or no points to press, of several parts, held
-// along one whole side. Plate and filter: TestElasticComplianceModes.
+// The modes of bodies that bend, against full solutions at points that are not landmarks, against
+// C_g and beam theory. Also the subtracted dent, and bodies with few or no points to press, of
+// several parts, or held along one whole side. TestElasticComplianceModes tests plate and filter.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/GlobalModes.h"
