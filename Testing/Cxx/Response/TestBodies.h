@@ -276,7 +276,7 @@ inline Body tipsInCube(int count, double reach, unsigned seed)
   points->SetDataTypeToDouble();
   for (int i = 0; i < count; ++i)
   {
-    const double x = coordinate(random); // evaluated in this order; arguments have no order
+    const double x = coordinate(random); // first, since arguments may be evaluated in any order
     const double y = coordinate(random);
     points->InsertNextPoint(x, y, coordinate(random));
   }
