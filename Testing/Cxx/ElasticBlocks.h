@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// A block of nx × ny × nz hexahedra of side h from the origin.
+/// A block of nx × ny × nz hexahedra with sides h. One corner is at the origin.
 inline VolumeMesh hexahedronBlock(int nx, int ny, int nz, double h)
 {
   VolumeMesh mesh;
@@ -36,7 +36,8 @@ inline VolumeMesh hexahedronBlock(int nx, int ny, int nz, double h)
   return mesh;
 }
 
-/// Splits each hexahedron into six tetrahedra around its diagonal (Kuhn); neighbours match.
+/// Splits each hexahedron into six tetrahedra around its diagonal (Kuhn). The faces of neighbours
+/// match.
 inline VolumeMesh tetrahedra(const VolumeMesh& hexahedra)
 {
   constexpr std::array<std::array<int, 4>, 6> split = { { { 0, 1, 2, 6 }, { 0, 2, 3, 6 },
@@ -86,7 +87,7 @@ inline VolumeMesh quadratic(const VolumeMesh& linear)
   return mesh;
 }
 
-/// Holds every node with z = 0.
+/// Returns 7 (held along x, y and z) for each node with z = 0, and 0 for the others.
 inline std::vector<unsigned char> heldBelow(const VolumeMesh& mesh)
 {
   std::vector<unsigned char> fixed(static_cast<std::size_t>(mesh.nodeTotal()), 0);
@@ -97,7 +98,7 @@ inline std::vector<unsigned char> heldBelow(const VolumeMesh& mesh)
   return fixed;
 }
 
-/// Holds every node up to x.
+/// Returns 7 (held along x, y and z) for each node up to the given x, and 0 for the others.
 inline std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
 {
   std::vector<unsigned char> fixed;
@@ -108,7 +109,7 @@ inline std::vector<unsigned char> heldTo(const VolumeMesh& mesh, double x)
   return fixed;
 }
 
-/// The elements beyond x. `nodes` gives the node numbers in the whole mesh.
+/// Returns the elements beyond x. `nodes` receives their node numbers in the whole mesh.
 inline VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std::int32_t>& nodes)
 {
   VolumeMesh part;
@@ -135,7 +136,7 @@ inline VolumeMesh partBeyond(const VolumeMesh& whole, double x, std::vector<std:
   return part;
 }
 
-/// The element with the nearest centre.
+/// Number of the element whose centre is nearest to a place.
 inline std::int32_t elementAt(const VolumeMesh& mesh, const Eigen::Vector3d& place)
 {
   const auto away = [&](std::int32_t e)
@@ -148,7 +149,7 @@ inline std::int32_t elementAt(const VolumeMesh& mesh, const Eigen::Vector3d& pla
   return found;
 }
 
-/// The surface point at a place, or -1.
+/// Number of the surface point at a place, or -1 if there is none.
 inline std::int32_t pointAt(const BodySurface& surface, const Eigen::Vector3d& place)
 {
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)

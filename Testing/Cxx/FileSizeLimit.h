@@ -35,7 +35,7 @@ private:
   void (*Handler)(int);
 };
 
-constexpr const char* FileTooLarge = "File too large"; ///< the system's text for EFBIG
+constexpr const char* FileTooLarge = "File too large"; ///< the system's text for the error EFBIG
 } // namespace palpate::testing
 
 #endif

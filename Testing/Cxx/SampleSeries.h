@@ -11,7 +11,7 @@
 
 namespace palpate::testing
 {
-/// A series from branches { p, τ }.
+/// Makes a series from branches { p, τ }.
 inline PronySeries relaxation(std::initializer_list<std::array<double, 2>> branches)
 {
   PronySeries series;
@@ -22,7 +22,7 @@ inline PronySeries relaxation(std::initializer_list<std::array<double, 2>> branc
   return series;
 }
 
-/// The same from the text of reference tables: "0.5 0.8" and "0.02 0.2".
+/// Makes a series from two texts of a reference table, for example "0.5 0.8" and "0.02 0.2" (s).
 inline PronySeries relaxation(const std::string& strengths, const std::string& times)
 {
   std::istringstream p(strengths);

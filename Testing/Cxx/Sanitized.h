@@ -2,8 +2,9 @@
 #ifndef palpate_testing_Sanitized_h
 #define palpate_testing_Sanitized_h
 
-// PALPATE_SANITIZED: compiled under the address or the thread sanitizer. These have their own
-// malloc and make mlockall do nothing. g++ reports them by a macro, clang by a feature.
+// PALPATE_SANITIZED: the code is compiled under the address or the thread sanitizer. Both have
+// their own malloc, and mlockall does nothing under them. g++ reports the sanitizers by a macro,
+// clang by a feature.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define PALPATE_SANITIZED
 #elif defined(__has_feature)
@@ -14,7 +15,8 @@
 
 namespace palpate::testing
 {
-/// Number of repetitions: `all`, or a tenth of it under a sanitizer, which is ten times as slow.
+/// Number of repetitions: `all`, or a tenth of `all` under a sanitizer, which makes the code ten
+/// times as slow.
 constexpr int casesOf(int all)
 {
 #ifdef PALPATE_SANITIZED

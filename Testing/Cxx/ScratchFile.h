@@ -9,9 +9,9 @@
 
 namespace palpate::testing
 {
-/// Path of a file of the running test. If the test has written the file, it is removed at the end.
-/// Tests of one executable run at the same time in separate processes, so they must not share a
-/// name.
+/// Path of a file of the running test. If the test has written the file, the destructor removes it.
+/// The tests of one executable run at the same time in separate processes, so two tests must not
+/// share a name.
 class ScratchFile
 {
 public:

@@ -10,7 +10,8 @@
 
 namespace palpate::testing
 {
-/// A tool from its text on a command line. Throws (so that the test fails) if the text is rejected.
+/// Makes a tool from its text on a command line. Throws (so that the test fails) if the text is
+/// rejected.
 inline std::unique_ptr<AxisymmetricTool> tool(const std::string& text)
 {
   ToolSpecification specification;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts near sharp edges and beyond them: the force of a quarter space on both sides of the
-// edge. There is no jump and no gain of energy on any path, for every form and surface.
+// Contacts near sharp edges and beyond them: the force is that of a quarter space on both sides of
+// the edge. No path has a jump of the force or a gain of energy, for every force form and contact
+// surface.
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
 #include "Contact/ContactBody.h"
@@ -42,11 +43,12 @@ Contact pressedBeside(
   return found;
 }
 
-/// Results of a tip that moves along corners in steps of a micrometre. It starts and ends outside.
+/// Results of a tip that moves along a polygon in steps of a micrometre. The path starts and ends
+/// outside.
 struct Lap
 {
-  double jump = 0.0;  ///< largest |ΔF| over the force before it, if that exceeds 1 N
-  double gain = 0.0;  ///< energy gained by the hand, mJ
+  double jump = 0.0;  ///< largest |ΔF| / force before it, for forces above 1 N
+  double gain = 0.0;  ///< energy gained by the user, mJ
   double scale = 0.0; ///< ∮|F||dx|, mJ
   double largest = 0.0;
   Vector3 where = Vector3::Zero();
@@ -85,7 +87,8 @@ Lap lap(const ContactBody& body, const ContactSettings& settings, const std::vec
   return found;
 }
 
-/// A wedge with an interior angle, along z. Its edge is at the origin, and it opens towards +x.
+/// A wedge along z with the given interior angle. Its edge is at the origin, and it opens towards
+/// +x.
 Surface wedge(double degrees, int times)
 {
   const double half = 0.5 * degrees * Pi / 180.0;
@@ -94,8 +97,8 @@ Surface wedge(double degrees, int times)
     prism({ { 0.0, 0.0 }, { out.x(), -out.y() }, out }, { { 0, 1, 2 } }, 40.0), times);
 }
 
-/// Two paths: `depth` under one face, over the edge and back around it outside; and around inside,
-/// along the other face.
+/// Two closed paths. One leads at `depth` below one face across the edge and back outside; the
+/// other leads inside around the edge, along both faces.
 std::array<std::vector<Vector3>, 2> waysOver(double degrees, double depth)
 {
   const double half = 0.5 * degrees * Pi / 180.0;
@@ -135,7 +138,8 @@ TEST(BodyEdges, ForceBesideAndBeyondAnEdgeIsThatOfAQuarterSpace)
           const double u = table.number(row, "u=d/a0");
           const Contact found = pressedBeside(*body, settings, 1000.0, u * radius, depth);
           const double far = 10.0 * std::pow(depth, 1.5);
-          // 0.8 % of the force far inside: the error stated by the table, and its spline.
+          // Tolerance of 0.8 % of the force far inside: the error that the table states, and its
+          // spline.
           EXPECT_NEAR(found.force.y() / far, table.number(row, "Phi=F/F0"), 8e-3) << u;
           EXPECT_NEAR(-found.force.x() / far * radius / depth,
             table.number(row, "chi=F_side*a0/(F0*delta)"), u < -0.8 ? 2e-2 : 4e-3)
@@ -165,8 +169,8 @@ TEST(BodyEdges, LeavesWhereTheBodyLetsGo)
 
 TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
 {
-  // The work along a path to the tip is differentiated by finite differences. Paths: to a corner of
-  // three sharp edges, and to a blunt edge.
+  // The work along a path to the tip is differentiated by finite differences. One path leads to a
+  // corner of three sharp edges, the other to a blunt edge.
   struct Place
   {
     Surface body;
@@ -200,7 +204,7 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
       }
       const Lap found = lap(*body, settings, place.way);
       ASSERT_GT(found.last.normalForce, 0.5);
-      // h² of the difference, and floats of curves and normals.
+      // Error of the difference, h², and of curves and normals as floats.
       EXPECT_LT((found.last.force + gradient).norm(), 1e-3 * found.last.force.norm());
     }
   }
@@ -208,7 +212,8 @@ TEST(BodyEdges, ItsForceIsTheGradientOfItsWork)
 
 TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
 {
-  // At most 1 % between two tips 1 µm apart, for depths down to the contact radius (5 mm here).
+  // The force changes by at most 1 % between two tips 1 µm apart, for depths up to the contact
+  // radius (5 mm here).
   for (const double degrees : { 30.0, 60.0, 90.0, 104.0, 106.0, 150.0 })
   {
     const auto body = uniformBody(wedge(degrees, 5), sphereOverEdges());
@@ -222,7 +227,7 @@ TEST(BodyEdges, NeitherJumpsNorGivesEnergyOverAnyAngle)
           EXPECT_LE(found.jump, 0.01)
             << degrees << "°, " << depth << " mm at " << found.where.transpose();
           EXPECT_GT(found.largest, 0.3 * std::pow(depth, 1.5));
-          // Ticks of a micrometre: the trapezoidal rule has an error of 1e-7 of the work.
+          // With ticks of a micrometre the trapezoidal rule has an error of 1e-7 of the work.
           EXPECT_LE(found.gain, 1e-6 * found.scale) << degrees << "°, " << depth << " mm";
           EXPECT_EQ(found.last.force, Vector3::Zero());
         }
@@ -259,7 +264,7 @@ TEST(BodyEdges, OverGroovesAndThroughASlab)
         EXPECT_LE(found.jump, 0.01) << found.where.transpose();
         EXPECT_LE(found.gain, 1e-6 * found.scale);
         EXPECT_GT(found.largest, 5.0);
-        // A contact that is pressed from below up through the slab has not ended.
+        // A contact that is pressed from below up through the slab does not end.
         EXPECT_EQ(found.last.force.isZero(0.0), body == grooved.get() || !isBack);
       }
     }
@@ -278,7 +283,7 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
     {
       const auto near = [&]
       {
-        // From 2 mm deep to 2 mm outside, along one face.
+        // A place near one face: from 2 mm inside to 2 mm outside.
         Vector3 place(20.0 * unit(random), 15.0 * unit(random), 10.0 * unit(random));
         const auto axis = static_cast<Eigen::Index>(3.0 * unit(random));
         const double size = axis == 0 ? 20.0 : axis == 1 ? 15.0 : 10.0;
@@ -296,8 +301,8 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
       const ContactSettings settings{ ForceForm::EnergyConsistent,
         trial % 2 == 0 ? ContactSurface::Facets : ContactSurface::Smooth, {} };
       const Lap found = lap(*body, settings, path, 4e-3);
-      // Energy is lost if a contact ends under another face. The only gain is the error of ticks of
-      // 4 µm, 1e-6 of the work.
+      // Energy is lost if a contact ends below another face. A gain is only the error of ticks of 4
+      // µm, 1e-6 of the work.
       EXPECT_LE(found.gain, 1e-5 * found.scale) << trial;
     }
   }
@@ -305,8 +310,8 @@ TEST(BodyEdges, RandomWaysAroundBlocksGiveNoEnergy)
 
 TEST(BodyEdges, TrianglesMuchLargerThanTheContact)
 {
-  // Two triangles on a face of one metre. At the corner where their diagonal ends, both are near
-  // both edges.
+  // A face of one metre has two triangles. At the corner where their diagonal ends, both triangles
+  // are near both edges.
   const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   for (const double z : { 0.0, 1000.0 })
   {
@@ -331,8 +336,8 @@ TEST(BodyEdges, TrianglesMuchLargerThanTheContact)
 
 TEST(BodyEdges, NothingBeginsInTheDepth)
 {
-  // After an end beyond the rim of a slit narrower than the contact, the tip is under the other
-  // side of the slit.
+  // The contact ends beyond the rim of a slit that is narrower than the contact. The tip is then
+  // below the other side of the slit.
   std::vector<Eigen::Vector2d> outline = { { -20, 0 }, { 20, 0 }, { 20, 10 }, { 0.5, 10 },
     { 0.5, 5 }, { -0.5, 5 }, { -0.5, 10 }, { -20, 10 } };
   const Surface slit = subdivided(
@@ -345,7 +350,7 @@ TEST(BodyEdges, NothingBeginsInTheDepth)
   const Lap found = lap(*body, {}, over);
   EXPECT_LE(found.jump, 0.01);
   EXPECT_LE(found.gain, 1e-6 * found.scale);
-  // After the tip moves out and in again, there is a contact.
+  // A contact begins after the tip has moved out and in again.
   EXPECT_GT(found.largest, 5.0);
   ToolContact contact(*body);
   for (const Vector3& tip : { Vector3(8.0, 12.0, 20.0), Vector3(8.0, 9.0, 20.0) })
@@ -387,7 +392,7 @@ TEST(BodyEdges, OutOfReachTheForceIsThatOfTheCurve)
   const auto body = uniformBody(block(1000.0, 1000.0, 1000.0), sphereOverEdges());
   ToolContact contact(*body);
   const Contact found = contact.update(Vector3(500.0, 999.0, 500.0));
-  EXPECT_NEAR(found.normalForce, 10.0, 1e-5); // float32
+  EXPECT_NEAR(found.normalForce, 10.0, 1e-5); // stored as float32
   EXPECT_NEAR(found.stiffness, 15.0, 1e-5);
 }
 
@@ -401,7 +406,8 @@ TEST(BodyEdges, StiffnessIsTheSlopeOfTheForce)
     const Contact before = pressedBeside(*body, {}, 1000.0, x, 1.0 - h);
     const Contact after = pressedBeside(*body, {}, 1000.0, x, 1.0 + h);
     const double slope = (after.normalForce - before.normalForce) / (2.0 * h);
-    EXPECT_NEAR(here.stiffness, slope, 2e-3 * 15.0) << x; // the spline's second derivative jumps
+    // the second derivative of the spline jumps
+    EXPECT_NEAR(here.stiffness, slope, 2e-3 * 15.0) << x;
   }
 }
 
@@ -422,7 +428,7 @@ TEST(BodyEdges, CurvesThatKnowTheEdgeAreAsTheyAreInside)
   EXPECT_NEAR(contact.update(over[1]).normalForce, 10.0, 1e-4);
 }
 
-/// A base at a depth h supports an edge: finite elements of blocks, a flat end.
+/// A base at a depth h supports an edge. Reference: finite elements of blocks under a flat end.
 TEST(BodyEdges, ABaseHoldsTheEdge)
 {
   const ReferenceTable table("edges/held_edge.csv");
@@ -436,13 +442,13 @@ TEST(BodyEdges, ABaseHoldsTheEdge)
     const double distance = table.number(row, "u=d/a0");
     terms.extent = distance / table.number(row, "d/h");
     const auto body = uniformBody(half, terms);
-    // The law uses e^-2.75x; the exponents here are 2.5 to 3.1. The law itself adds 0.5 %, the
-    // elements 0.3 %.
+    // The law uses e^-2.75x, while the exponents of the table are 2.5 to 3.1. The law without a
+    // base adds an error of 0.5 %, the elements 0.3 %.
     EXPECT_NEAR(pressedBeside(*body, {}, 1000.0, distance, 1.0).normalForce / 10.0,
       table.number(row, "Phi=F/F_layer"), 0.015)
       << row;
   }
-  // Far from the edge it has no effect.
+  // Far from the edge the base has no effect on the force.
   EdgeTerms thin = sphereOverEdges();
   thin.extent = 5.0;
   EXPECT_NEAR(
@@ -455,7 +461,7 @@ TEST(BodyEdges, FrictionSticksAndSlidesBesideAnEdge)
   ContactSettings settings;
   settings.friction.coefficient = 0.3;
   const Lap found = lap(*body, settings, waysOver(90.0, 1.0).front());
-  EXPECT_LE(found.jump, 0.012); // stuck friction adds its own stiffness, 1 N/mm
+  EXPECT_LE(found.jump, 0.012); // friction that sticks adds its own stiffness, 1 N/mm
   EXPECT_LE(found.gain, 0.0);
 }
 

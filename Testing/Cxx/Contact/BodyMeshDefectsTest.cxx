@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Defects of a mesh are counted and left out; borders and volume.
+// Defects of a mesh are counted and left out. Also borders and the enclosed volume.
 #include "BruteForce.h"
 #include "Contact/TriangleTree.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -28,7 +28,7 @@ TEST(BodyMeshDefects, SoundBodiesHaveNone)
 
 TEST(BodyMeshDefects, Volume)
 {
-  // Products of small integers: exact except for a few roundings of the sum.
+  // Products of small integers are exact; the sum has a few roundings.
   EXPECT_NEAR(block(3, 4, 5).mesh().enclosedVolume(), 60.0, 1e-12);
   EXPECT_NEAR(angleBlock().mesh().enclosedVolume(), (20 * 20 - 12 * 12) * 10.0, 1e-10);
   EXPECT_NEAR(grooveBlock().mesh().enclosedVolume(), (40 * 10 - 25) * 40.0, 1e-9);
@@ -70,18 +70,18 @@ TEST(BodyMeshDefects, CountedAndLeftOut)
   body.points.emplace_back(-6.0, -6.0, -6.0);
   body.points.emplace_back(-7.0, -7.0, -7.0);
   const auto n = static_cast<std::int32_t>(body.points.size());
-  body.triangles.push_back({ 0, 1, n - 5 });         // NaN
-  body.triangles.push_back({ 0, n - 4, 1 });         // infinite
-  body.triangles.push_back({ 0, 1, n });             // out of range
-  body.triangles.push_back({ -1, 0, 1 });            // out of range
-  body.triangles.push_back({ n + 100000, 0, 1 });    // far out of range
+  body.triangles.push_back({ 0, 1, n - 5 });         // a point that is NaN
+  body.triangles.push_back({ 0, n - 4, 1 });         // a point that is infinite
+  body.triangles.push_back({ 0, 1, n });             // an index out of range
+  body.triangles.push_back({ -1, 0, 1 });            // an index out of range
+  body.triangles.push_back({ n + 100000, 0, 1 });    // an index far out of range
   body.triangles.push_back({ n - 3, n - 3, 1 });     // a corner twice
-  body.triangles.push_back({ n - 3, n - 2, n - 1 }); // on one line
+  body.triangles.push_back({ n - 3, n - 2, n - 1 }); // three corners on one line
   const BodyMesh mesh = body.mesh();
   EXPECT_EQ(mesh.defects().notFinite, 2u);
   EXPECT_EQ(mesh.defects().badIndex, 3u);
   EXPECT_EQ(mesh.defects().degenerate, 2u);
-  EXPECT_EQ(mesh.defects().borderEdges, 0u); // the block itself is still closed
+  EXPECT_EQ(mesh.defects().borderEdges, 0u); // the block itself is closed
   EXPECT_EQ(mesh.defects().nonManifoldEdges, 0u);
   EXPECT_FALSE(mesh.isClosed());
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(body.triangles.size()); ++t)
@@ -89,8 +89,8 @@ TEST(BodyMeshDefects, CountedAndLeftOut)
     EXPECT_EQ(mesh.isUsable(t), t < sound) << t;
   }
   EXPECT_NEAR(mesh.enclosedVolume(), 1000.0, 1e-10);
-  EXPECT_EQ(mesh.pointNormal(n - 3), Vector3::Zero()); // no usable triangle contains it
-  // The closest points are those of the block, not of the broken triangles next to it.
+  EXPECT_EQ(mesh.pointNormal(n - 3), Vector3::Zero()); // no usable triangle contains the point
+  // The closest points are on the block, not on the broken triangles next to it.
   const PackedMesh packed = body.packed();
   EXPECT_EQ(packed.defects().notFinite, 2u);
   EXPECT_EQ(packed.defects().badIndex, 3u);
@@ -113,18 +113,18 @@ TEST(BodyMeshDefects, BorderOfAnOpenPlate)
   const PackedMesh packed = body.packed();
   EXPECT_EQ(packed.defects().borderEdges, 20u);
   const TriangleTree tree(packed);
-  EXPECT_TRUE(tree.closest(Vector3(-1, 5.3, -1)).onBorder);   // an edge of the border
-  EXPECT_TRUE(tree.closest(Vector3(-1, -1, -1)).onBorder);    // a corner of it
-  EXPECT_TRUE(tree.closest(Vector3(-1, 4.0, -1)).onBorder);   // a point of it
-  EXPECT_FALSE(tree.closest(Vector3(5.1, 5.3, -1)).onBorder); // a face
-  EXPECT_FALSE(tree.closest(Vector3(4.0, 4.0, -1)).onBorder); // an inner point
+  EXPECT_TRUE(tree.closest(Vector3(-1, 5.3, -1)).onBorder);   // on an edge of the border
+  EXPECT_TRUE(tree.closest(Vector3(-1, -1, -1)).onBorder);    // at a corner of the border
+  EXPECT_TRUE(tree.closest(Vector3(-1, 4.0, -1)).onBorder);   // at a point of the border
+  EXPECT_FALSE(tree.closest(Vector3(5.1, 5.3, -1)).onBorder); // on a face
+  EXPECT_FALSE(tree.closest(Vector3(4.0, 4.0, -1)).onBorder); // at an inner point
   EXPECT_EQ(tree.closest(Vector3(5.1, 5.3, -1)).signedDistance, -1.0);
   EXPECT_EQ(tree.closest(Vector3(5.1, 5.3, 2)).signedDistance, 2.0);
 }
 
 TEST(BodyMeshDefects, NonManifoldEdges)
 {
-  // Three fins on one edge.
+  // Three triangles at one edge.
   Surface fins;
   fins.points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, -1, 0 } };
   fins.triangles = { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } };
@@ -132,19 +132,19 @@ TEST(BodyMeshDefects, NonManifoldEdges)
   EXPECT_EQ(finsMesh.defects().nonManifoldEdges, 1u);
   EXPECT_EQ(finsMesh.defects().borderEdges, 6u);
   EXPECT_FALSE(finsMesh.isClosed());
-  // Such an edge has no neighbour across, so it counts as border.
+  // An edge of three triangles has no neighbour across it and counts as border.
   const PackedMesh packedFins = fins.packed();
   EXPECT_EQ(packedFins.defects().nonManifoldEdges, 1u);
   EXPECT_TRUE(TriangleTree(packedFins).closest(Vector3(0.0, 0.0, 0.5)).onBorder);
 
-  // Two neighbours of opposite winding.
+  // Two neighbours with opposite winding.
   Surface flipped;
   flipped.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 } };
   flipped.triangles = { { 0, 1, 2 }, { 0, 1, 3 } };
   EXPECT_EQ(flipped.mesh().defects().nonManifoldEdges, 1u);
   EXPECT_EQ(flipped.mesh().defects().borderEdges, 4u);
 
-  // The same triangle two times.
+  // The same triangle twice.
   Surface twice;
   twice.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   twice.triangles = { { 0, 1, 2 }, { 0, 1, 2 } };
@@ -153,8 +153,8 @@ TEST(BodyMeshDefects, NonManifoldEdges)
 
 TEST(BodyMeshDefects, TwoBodiesThatShareAPointAreClosed)
 {
-  // Two tetrahedra that touch at one point: each edge has two triangles, but the point has two
-  // fans.
+  // Two tetrahedra that touch at one point. Each edge has two triangles, but the triangles around
+  // the common point are two separate fans.
   Surface body;
   body.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
     { 0, 0, -1 } };
@@ -166,7 +166,8 @@ TEST(BodyMeshDefects, TwoBodiesThatShareAPointAreClosed)
 
 TEST(BodyMeshDefects, PointNormalsAreAngleWeighted)
 {
-  // At a corner of a block three right angles meet, for any diagonals of its faces.
+  // Three right angles meet at a corner of a block. The normal does not depend on the diagonals of
+  // the faces.
   const Surface body = block(2, 3, 4);
   const BodyMesh mesh = body.mesh();
   for (std::size_t i = 0; i < body.points.size(); ++i)

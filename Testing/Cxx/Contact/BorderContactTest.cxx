@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tip slides off an open border: the contact is lost, the force fades with the position of the
-// tip, and no force pulls the tip back; for every form, surface and friction.
+// tip, and no force pulls the tip back. For every force form and contact surface, and with
+// friction.
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
 
@@ -12,8 +13,8 @@ namespace palpate::testing
 {
 TEST(BorderContact, LostAndFading)
 {
-  // F = 10 N at 1 mm. At a distance l beyond the border the force is (1 - l)² (1 + 2 l) of it,
-  // straight up.
+  // F = 10 N at 1 mm. At a distance l (mm) beyond the border the force is (1 - l)² (1 + 2 l) times
+  // 10 N, along z.
   const auto body = uniformBody(openPlate(10.0, 10));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
@@ -24,8 +25,9 @@ TEST(BorderContact, LostAndFading)
       const double l = 0.005 * i - 1.0;
       const Contact found = contact.update(Vector3(10.0 + l, 5.3, -1.0));
       const double x = std::min(std::max(l, 0.0), 1.0);
-      EXPECT_NEAR(found.normalForce, 10.0 * (1 - x) * (1 - x) * (1 + 2 * x), 1e-4) << l; // float32
-      EXPECT_NEAR(found.force.x(), 0.0, 1e-6); // float32 normals
+      // stored as float32
+      EXPECT_NEAR(found.normalForce, 10.0 * (1 - x) * (1 - x) * (1 + 2 * x), 1e-4) << l;
+      EXPECT_NEAR(found.force.x(), 0.0, 1e-6); // normals are float32
       EXPECT_NEAR(found.force.y(), 0.0, 1e-6);
       EXPECT_LE(found.normalForce, last + 1e-9);
       last = found.normalForce;
@@ -44,7 +46,7 @@ TEST(BorderContact, LostAndFading)
 
 TEST(BorderContact, OfTheTipsPlaceAlone)
 {
-  // Entered from the side, without an earlier contact: the same force.
+  // A tip without an earlier contact has the same force as a tip that slid there.
   const auto body = uniformBody(openPlate(10.0, 10));
   for (const ContactSettings& settings : allFormsAndSurfaces())
   {
@@ -62,8 +64,8 @@ TEST(BorderContact, OfTheTipsPlaceAlone)
 
 TEST(BorderContact, FrictionFadesToo)
 {
-  // μ = 0.5 while the tip slides out: friction never exceeds the limit of the faded force, and
-  // there is no step.
+  // With μ = 0.5 friction never exceeds the limit of the faded force while the tip slides out, and
+  // the force has no step.
   const auto body = uniformBody(openPlate(10.0, 10));
   ContactSettings settings;
   settings.friction.coefficient = 0.5;
@@ -77,7 +79,8 @@ TEST(BorderContact, FrictionFadesToo)
     EXPECT_LE(found.friction.x(), 1e-9); // against the motion
     if (i > 0)
     {
-      // 1.5 per mm of 10 N, 0.005 mm per tick, and half of that for friction; at first 20 N/mm.
+      // The normal force of 10 N changes by at most 1.5 per mm, with 0.005 mm per tick, and
+      // friction by half of that; at first friction changes by 20 N/mm.
       EXPECT_LE((found.force - last).norm(), std::hypot(0.075, 0.1) * 1.02) << i;
     }
     last = found.force;
@@ -87,8 +90,8 @@ TEST(BorderContact, FrictionFadesToo)
 
 TEST(BorderContact, BeyondItAnotherBodyIsFound)
 {
-  // A block next to the plate: the contact with the plate ends where its force has faded, then the
-  // contact with the block begins.
+  // A block next to the plate: the contact with the plate ends where its force has faded to zero,
+  // then the contact with the block begins.
   Surface both = openPlate(10.0, 10);
   const Surface other = subdivided(block(10, 10, 10), 3);
   const auto shift = static_cast<std::int32_t>(both.points.size());

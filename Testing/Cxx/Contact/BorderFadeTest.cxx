@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// A body with the fade of any tip under it. There is no fade if the closest point is not on a
+/// A body with the fade for any tip below it. There is no fade if the closest point is not on a
 /// border.
 struct Sheet
 {
@@ -35,7 +35,7 @@ struct Sheet
       this->mesh, found.triangle, found.projection.weights, local - found.projection.point);
   }
 
-  /// The force of the test responses, F = 10 h^1.5, with the fade.
+  /// The force of the test responses, F = 10 h^1.5, times the fade.
   double force(const Vector3& tip) const
   {
     const BorderFade left = this->fade(tip);
@@ -46,7 +46,7 @@ struct Sheet
   TriangleTree tree;
 };
 
-/// Largest change of force between ticks of a path, N.
+/// Largest change of the force between ticks of a path, N.
 double largestStep(const Sheet& sheet, int ticks, const std::function<Vector3(double)>& path)
 {
   double largest = 0.0;
@@ -60,8 +60,8 @@ double largestStep(const Sheet& sheet, int ticks, const std::function<Vector3(do
   return largest;
 }
 
-/// Half a pipe with a radius of 10 about the y axis, 20 long, open at both ends and along its
-/// sides. It is pressed from the hollow side (normals towards the axis).
+/// Half a pipe with a radius of 10 mm around the y axis, 20 mm long, open at both ends and along
+/// its sides. Its normals point to the axis.
 Surface gutter()
 {
   Surface body = openPlate(20.0, 20);
@@ -82,7 +82,7 @@ TEST(BorderFade, AsTheHeaderSays)
     for (const double l : { 1e-9, 0.1, 0.25, 0.5, 0.9, 1.0, 1.5 })
     {
       // Next to each of the four borders; l in units of h. The float32 coordinates of this plate
-      // are exact, their products are rounded.
+      // are exact; products of them are rounded.
       const double x = std::min(l, 1.0);
       const double share = (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
       for (const Vector3& tip : { Vector3(10.0 + l * h, 5.3, -h), Vector3(-l * h, 5.3, -h),
@@ -98,8 +98,8 @@ TEST(BorderFade, AsTheHeaderSays)
 
 TEST(BorderFade, FadesWithoutAStep)
 {
-  // The tip slides 1 mm deep out of the plate, through the line under the border. The slope of the
-  // fade is at most 1.5 per h, at 10 N.
+  // The tip slides out of the plate at a depth of 1 mm, across the line below the border. The slope
+  // of the fade is at most 1.5 per h, times 10 N.
   const Sheet plate(openPlate(10.0, 10));
   const double step =
     largestStep(plate, 4000, [](double t) { return Vector3(8.0 + 4.0 * t, 5.3, -1.0); });
@@ -107,14 +107,14 @@ TEST(BorderFade, FadesWithoutAStep)
   EXPECT_GE(step, 10.0 * 1.5 * 1e-3 * 0.99);
   EXPECT_EQ(plate.force(Vector3(11.0, 5.3, -1.0)), 0.0);
   EXPECT_NEAR(plate.force(Vector3(10.0, 5.3, -1.0)), 10.0, 1e-12);
-  // No step either as the tip rises next to the border to the plane of the plate.
+  // There is also no step as the tip rises next to the border to the plane of the plate.
   EXPECT_LE(largestStep(plate, 4000, [](double t) { return Vector3(10.5, 5.3, -2.0 + 2.0 * t); }),
     10.0 * 3.0 * 5e-4 * 3.0); // dF/dh <= 1.5·10·√2 + 10·2.8·1.5/h·(l/h), h >= 0.5
 }
 
 TEST(BorderFade, AroundACorner)
 {
-  // In circles around the corner of a plate, 1 mm deep: in and out, from border to border. The
+  // Circles around the corner of a plate at a depth of 1 mm: in and out, from border to border. The
   // slope is at most that of the fade, 1.5 per h.
   const Sheet plate(openPlate(10.0, 10));
   for (const double radius : { 0.05, 0.3, 0.6, 0.95, 3.0 })
@@ -128,7 +128,7 @@ TEST(BorderFade, AroundACorner)
     const double arc = 2.0 * 3.1416 * radius / 20000;
     EXPECT_LE(step, 10.0 * 1.5 * 1.01 * arc) << radius;
   }
-  // On the diagonal the distance from the corner counts like the distance from a border.
+  // On the diagonal the distance from the corner has the same effect as the distance from a border.
   const double x = 0.3 * std::sqrt(2.0);
   EXPECT_NEAR(
     plate.force(Vector3(10.3, 10.3, -1.0)), 10.0 * (1 - x) * (1 - x) * (1 + 2 * x), 1e-12);
@@ -137,8 +137,8 @@ TEST(BorderFade, AroundACorner)
 
 TEST(BorderFade, RoundABentBorder)
 {
-  // Along the end of a half pipe, half a millimetre beyond it and 1 mm under its facets: from facet
-  // to facet, through the corners between. Between facets, which meet at 9°, the tip turns about
+  // Along the end of a half pipe, half a millimetre beyond it and 1 mm below its facets: from facet
+  // to facet, past the corners between them. Between facets, which meet at 9°, the tip moves around
   // the corner at constant depth and distance.
   const Sheet sheet(gutter());
   const double share = 0.5 * 0.5 * 2.0;
@@ -166,7 +166,7 @@ TEST(BorderFade, NeverMoreThanAllNeverLessThanNothing)
   const Sheet sheet(gutter());
   for (int i = 0; i < 20000; ++i)
   {
-    // A lattice in a box around the body, with incommensurate steps.
+    // Points in a box around the body, with incommensurate steps along the axes.
     const Vector3 tip(std::fmod(0.7548776662 * i, 1.0) * 30.0 - 15.0,
       std::fmod(0.5698402910 * i, 1.0) * 30.0 - 5.0,
       std::fmod(0.4301597090 * i, 1.0) * 20.0 - 15.0);

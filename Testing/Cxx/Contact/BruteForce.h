@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-/// Slow and simple geometry of contact: by enumeration, in long double.
+/// Geometry of contact by enumeration, in long double: slow and simple.
 namespace palpate::testing
 {
 using Real = long double;
@@ -23,9 +23,9 @@ struct Nearest
   std::int32_t triangle = -1;
 };
 
-/// Closest point of a triangle: the best of its corners, of the feet on its edges, and of the foot
-/// on its plane if the foot is inside. The test is by the signs of the areas that the foot spans
-/// with the edges.
+/// Closest point of a triangle: the best of its corners, of the feet of the perpendiculars on its
+/// edges, and of the foot on its plane if this foot is inside. The signs of the areas that the foot
+/// spans with the edges decide whether it is inside.
 Nearest nearestOfTriangle(
   const Vector3& tipGiven, const Vector3& aGiven, const Vector3& bGiven, const Vector3& cGiven);
 
@@ -35,11 +35,12 @@ Nearest nearestOf(
 
 std::vector<std::int32_t> allTriangles(const Surface& body);
 
-/// The triangles that share a corner with one that shares a corner with `triangle`.
+/// The triangles within two rings of `triangle`: those with a corner in common with a triangle that
+/// has a corner in common with `triangle`.
 std::vector<std::int32_t> twoRings(const Surface& body, std::int32_t triangle);
 
-/// Winding number of the closed surface around the tip: 1 inside, 0 outside. Sum of the solid
-/// angles of its triangles (Van Oosterom and Strackee 1983).
+/// Winding number of the closed surface around the tip: 1 inside, 0 outside. It is the sum of the
+/// solid angles of the triangles (Van Oosterom and Strackee 1983).
 double windingNumber(const Surface& body, const Vector3& tip);
 
 Eigen::AlignedBox3d boxOf(const Surface& body);

@@ -18,7 +18,7 @@ namespace
 constexpr double Radius = 100.0;
 constexpr double Waves = 15.0;
 
-/// Tilt of the path's plane per turn around the sphere.
+/// Tilt of the plane of the path per rad around the sphere.
 constexpr double Tilt = 0.09 / (2.0 * Pi);
 
 double bump(const Vector3& u)
@@ -33,7 +33,8 @@ Vector3 bumpGradient(const Vector3& u)
   return Waves * Vector3(c.x() * s.y() * c.z(), s.x() * c.y() * c.z(), -s.x() * s.y() * s.z());
 }
 
-/// Ids of the lattice points |i| + |j| + |k| = cuts: upper half with equator, then lower half.
+/// Ids of the lattice points |i| + |j| + |k| = cuts: first the upper half with the equator, then
+/// the lower half.
 class OctahedronLattice
 {
 public:
@@ -155,7 +156,7 @@ CurvatureRange bumpyCurvatures(int samples)
 {
   CurvatureRange range{ 1e300, -1e300 };
   const double golden = Pi * (3.0 - std::sqrt(5.0));
-  constexpr double h = 1e-4; // central differences: an error of h² Waves² = 2e-6
+  constexpr double h = 1e-4; // central differences have an error of h² Waves² = 2e-6
   for (int i = 0; i < samples; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / samples;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of the tick benchmark and of its exactness tests has the stated properties.
+// The body of the tick benchmark and of the exactness tests has the stated properties.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"
@@ -36,8 +36,8 @@ TEST(BumpySphere, IsClosedAndWoundOutward)
   {
     EXPECT_EQ(halfEdges.count({ to, from }), 1U);
   }
-  // 4/3 π r³ of the mean sphere, except for facets (about the edge, 12 mm, squared over 4 r²: 0.4
-  // %) and the mean square of the bumps (at most 0.01 %).
+  // 4/3 π r³ of the mean sphere, with an error of 0.4 % from the facets (edge, 12 mm, squared / 4
+  // r²) and of at most 0.01 % from the mean square of the bumps.
   EXPECT_NEAR(volume / (4.0 / 3.0 * 3.14159265 * 1e6), 1.0, 0.01);
 }
 
@@ -61,17 +61,18 @@ TEST(BumpySphere, NormalIsAcrossTheSurface)
 
 TEST(BumpySphere, IsNotConvexAndGentlerThanFiveMillimetres)
 {
-  // Height 1 mm, 15 waves: on the top of a bump 1/100 + 15²/100² per mm, in a trough 1/100 -
-  // 15²/100². Slopes and the radius of the bumps change that by 3 %.
+  // Bumps of 1 mm with 15 waves have curvatures of 1/100 + 15²/100² per mm at their top and 1/100 -
+  // 15²/100² in a trough. Slopes and the radius of the bumps change these values by 3 %.
   const CurvatureRange range = bumpyCurvatures(100000);
   EXPECT_NEAR(range.greatest, 0.0325, 0.0010);
   EXPECT_NEAR(range.least, -0.0125, 0.0015);
   EXPECT_GT(1.0 / range.greatest, 5.0);
 }
 
-// The depth of a tip is its global distance, by brute force over all facets. A facet is below the
-// smooth body where the body is convex, above it where it is concave, by at most c²κ/2: c = 2.4 mm
-// (circumradius of an equilateral triangle of the longest edge, 4.2 mm), κ = 0.033 / mm.
+// The depth of a tip is its global distance from the surface, computed by brute force over all
+// facets. A facet is inside the smooth body where the body is convex and outside where it is
+// concave, by at most c²κ/2, with c = 2.4 mm (circumradius of an equilateral triangle of the
+// longest edge, 4.2 mm) and κ = 0.033 / mm.
 TEST(BumpySphere, TipsAreAsDeepAsTheySay)
 {
   const Surface body = bumpySphere(60);
@@ -110,7 +111,7 @@ TEST(BumpySphere, ShufflingChangesOnlyTheOrder)
     }
     inPlace += triangleOf[t] == id ? 1 : 0;
   }
-  EXPECT_LT(inPlace, 20U); // of 800; 1 expected
+  EXPECT_LT(inPlace, 20U); // of 800; the expected number is 1
 }
 } // namespace
 } // namespace palpate::testing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A curve with capped stiffness, against fine quadrature of the data contract (ContractCurve), and
-// against the capped curves of the paper's three tools.
+// A curve with capped stiffness, against fine quadrature of the data contract (ContractCurve) and
+// against the capped curves of three tools (Mahvash and Hayward 2002).
 #include "Contact/CappedResponse.h"
 
 #include "SampleResponses.h"
@@ -46,7 +46,8 @@ ResponseStore powerLaws(const std::array<double, 3>& scales, double power,
   return store;
 }
 
-/// ∫ min(dF/dδ, K_max) of the blend at each of the increasing depths: midpoint rule in x = √δ.
+/// ∫ min(dF/dδ, K_max) of the blended curves up to each of the increasing depths, by the midpoint
+/// rule in x = √δ.
 std::vector<double> quadrature(const ResponseStore& store, const Vector3& weights, double maximum,
   const std::vector<double>& depths)
 {
@@ -75,7 +76,7 @@ std::vector<double> quadrature(const ResponseStore& store, const Vector3& weight
   return sums;
 }
 
-/// The largest difference from quadrature, relative to K_max δ.
+/// Largest difference from the quadrature, relative to K_max δ.
 double worstShare(const ResponseStore& store, const Vector3& weights, double maximum)
 {
   const ResponseField field(store.arrays());
@@ -98,7 +99,8 @@ double worstShare(const ResponseStore& store, const Vector3& weights, double max
 
 TEST(CappedResponse, ClosedFormOfTheSphere)
 {
-  // F = c δ^1.5 reaches K_max at δ* = (K_max/1.5c)²; above, F_c = c δ*^1.5 + K_max (δ - δ*).
+  // F = c δ^1.5 reaches K_max at δ* = (K_max/1.5c)². For larger depths F_c = c δ*^1.5 + K_max (δ -
+  // δ*).
   const ResponseStore store = powerLaws({ 10.0, 10.0, 10.0 }, 1.5);
   const ResponseField field(store.arrays());
   const BlendedResponse response(field, Corners, Vector3(0.2, 0.3, 0.5));
@@ -113,7 +115,7 @@ TEST(CappedResponse, ClosedFormOfTheSphere)
                                        : 10.0 * std::pow(depth, 1.5);
       const double stiffness = isCapped ? maximum : 15.0 * std::sqrt(depth);
       const ResponseValue value = capped.evaluate(depth);
-      // The accuracy stated in the header, and float32 samples: 6e-8 of F.
+      // The accuracy that the header states, and float32 samples: 6e-8 of F.
       EXPECT_NEAR(value.force, expected, 1e-7 * maximum * depth + 2e-7 * expected) << maximum;
       EXPECT_NEAR(value.stiffness, stiffness, 2e-7 * stiffness) << maximum << ' ' << depth;
       EXPECT_FALSE(value.beyondRange);
@@ -124,9 +126,9 @@ TEST(CappedResponse, ClosedFormOfTheSphere)
 
 TEST(CappedResponse, QuadratureOfMonotoneStiffness)
 {
-  // Three ranges and scales. The powers make the stiffness rise or fall; with 0.8 it falls from
-  // infinity. The midpoint rule with its h = 5e-4 has an error of h²/(4 δ) of K_max δ at the bend:
-  // 3e-6.
+  // Three ranges and scales. The stiffness rises or falls, depending on the power; with 0.8 it
+  // falls from infinity. With h = 5e-4 the midpoint rule has an error of h²/(4 δ) times K_max δ at
+  // the bend: 3e-6.
   for (const double power : { 0.8, 1.0, 1.2, 1.5, 2.0, 3.0 })
   {
     const ResponseStore store = powerLaws({ 4.0, 10.0, 25.0 }, power, { 1.1F, 2.0F, 1.6F });
@@ -144,7 +146,7 @@ TEST(CappedResponse, QuadratureOfAnyStiffness)
 {
   // Random samples with three random ranges: the stiffness rises and falls within every cell, even
   // below zero. In the worst case intervals above the cap between two nodes are missed, 2 % of
-  // K_max δ; mostly none.
+  // K_max δ. In most cases none is missed.
   int exact = 0;
   int cases = 0;
   for (unsigned seed = 1; seed <= 10; ++seed)
@@ -176,8 +178,8 @@ TEST(CappedResponse, ContinuousAndNeverSteeper)
     {
       const ResponseValue value = capped.evaluate(depth);
       EXPECT_LE(value.stiffness, maximum);
-      // The end of an interval is found to 1e-7 of K_max δ, so F_c has a step of at most that size
-      // there. Between nodes a missed interval is as steep as F, at most 10 N/mm here.
+      // The end of an interval is found to 1e-7 of K_max δ, so F_c has a step of at most this size.
+      // In a missed interval between nodes the slope is that of F, at most 10 N/mm here.
       ASSERT_LE(value.force - last, 10.0 * step + 1e-6 * maximum * depth) << depth;
       ASSERT_GE(value.force - last, -20.0 * step - 1e-6 * maximum * depth) << depth;
       last = value.force;
@@ -187,9 +189,9 @@ TEST(CappedResponse, ContinuousAndNeverSteeper)
 
 TEST(CappedResponse, ThePapersTools)
 {
-  // At 1 mm in rubber (E* = 3.45 MPa) three tools have 11.41, 11.04 and 5.45 N; capped at 2 N/mm
-  // 1.99, 2.00 and 1.96. F reaches that stiffness, 2 E* a, at 0.0132, 0 and 0.0529 mm (a sphere at
-  // first contact is as stiff as a paraboloid), with 0.0176, 0 and 0.0706 N.
+  // In rubber (E* = 3.45 MPa) at 1 mm the three tools have 11.41, 11.04 and 5.45 N, and with a cap
+  // of 2 N/mm 1.99, 2.00 and 1.96 N. F reaches the stiffness of the cap, 2 E* a, at 0.0132, 0 and
+  // 0.0529 mm (at first contact a sphere is as stiff as a paraboloid), with 0.0176, 0 and 0.0706 N.
   constexpr double rubber = 3.45;
   const auto capped = [](const ResponseStore& store)
   {
@@ -204,7 +206,7 @@ TEST(CappedResponse, ThePapersTools)
     return powerLaws({ scale, scale, scale }, 1.5);
   };
   const double flat = 2.0 * rubber * 1.6;
-  // The numbers are rounded to 0.01 N.
+  // The values of the paper are rounded to 0.01 N.
   EXPECT_NEAR(capped(sphere(6.35)), 1.99, 0.005);
   EXPECT_NEAR(capped(powerLaws({ flat, flat, flat }, 1.0)), 2.00, 0.005);
   EXPECT_NEAR(capped(sphere(1.6)), 1.96, 0.005);
@@ -229,7 +231,7 @@ TEST(CappedResponse, LimitsThatAreNone)
       EXPECT_LE(CappedResponse(response, none).evaluate(depth).force, 1e-12) << none;
     }
   }
-  // A cap above every stiffness changes nothing.
+  // A cap above every stiffness has no effect.
   const ResponseField spheres(powerLaws({ 4.0, 10.0, 25.0 }, 1.5).arrays());
   const BlendedResponse sphere(spheres, Corners, Vector3(0.2, 0.3, 0.5));
   EXPECT_EQ(CappedResponse(sphere, 1e3).evaluate(1.9).force, sphere.evaluate(1.9).force);
@@ -240,7 +242,8 @@ TEST(CappedResponse, LimitsThatAreNone)
     EXPECT_EQ(capped.evaluate(depth).stiffness, 0.0);
     EXPECT_EQ(capped.share(depth), 1.0);
   }
-  const BlendedResponse nowhere(field, Corners, Vector3::Zero()); // as without a contact
+  // all weights zero, as without a contact
+  const BlendedResponse nowhere(field, Corners, Vector3::Zero());
   EXPECT_EQ(CappedResponse(nowhere, 2.0).evaluate(1.0).force, 0.0);
 }
 
@@ -267,7 +270,7 @@ TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
       for (double depth = 1e-5; depth < 12.0; depth *= 1.07)
       {
         const ResponseValue value = one.evaluate(depth);
-        // Both to the accuracy stated in the header.
+        // Both have the accuracy that the header states.
         EXPECT_NEAR(value.force, other.evaluate(depth).force, 2e-7 * maximum * depth)
           << power << ' ' << maximum << ' ' << depth;
         EXPECT_EQ(value.stiffness, other.evaluate(depth).stiffness);
@@ -279,7 +282,8 @@ TEST(CappedResponse, AStiffnessKnownToRiseIsCappedAsAnyOther)
 
 TEST(CappedResponse, NeverPulls)
 {
-  // The force rises by 8 N at 16 N/mm and falls again. Capped at 1 N/mm, the fall exceeds the rise.
+  // The force rises by 8 N, starting at 16 N/mm, and falls again. Capped at 1 N/mm, the fall is
+  // larger than the rise.
   ResponseStore store(3);
   for (std::size_t p = 0; p < 3; ++p)
   {
@@ -292,13 +296,12 @@ TEST(CappedResponse, NeverPulls)
   }
   const ResponseField field(store.arrays());
   const CappedResponse capped(BlendedResponse(field, Corners, Vector3(0.2, 0.3, 0.5)), 1.0);
-  // K > 1 up to 15/16 mm: F_c is 15/16 N there; then it is 8 (1-δ)² lower than the top of F allows.
+  // K > 1 up to 15/16 mm, where F_c is 15/16 N. Beyond this depth F_c changes as F does.
   for (const double depth : { 0.3, 0.9, 1.0, 1.2, 1.5, 1.9 })
   {
     const double turn = 15.0 / 16.0;
     const double rest = 16.0 * (depth - turn) - 8.0 * (depth * depth - turn * turn);
-    // The interpolant is of δ^1.5: it differs by 1e-4 of 8 N from a parabola, halved by K at the
-    // bend.
+    // The interpolant is a function of δ^1.5. It differs from a parabola by 1e-4 of 8 N.
     EXPECT_NEAR(
       capped.evaluate(depth).force, std::max(0.0, depth < turn ? depth : turn + rest), 2e-3);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tool on a body that relaxes, against closed forms (Lee and Radok, Ting) and the tables of the
-// reference sheet. Unless stated otherwise: f = δ^m N to 1 mm, stored as float, accurate to 1e-7.
+// reference sheet. Unless stated otherwise f = δ^m (N, mm) up to 1 mm, stored as float, accurate to
+// 1e-7.
 #include "Contact/Relaxation/ContactRelaxation.h"
 
 #include "ReferenceTable.h"
@@ -36,7 +37,7 @@ ContactSettings elements(int count)
   return settings;
 }
 
-/// Stop and go of the reference sheet: a path that returns to a dent two times.
+/// The stop-and-go path of the reference sheet, which returns to a dent twice.
 double stopAndGo(double t)
 {
   constexpr std::array<double, 12> times = { 0, .05, .2, .25, .4, .42, .55, .6, .7, .75, .9, 1 };
@@ -53,7 +54,8 @@ const PronySeries ThreeBranches = relaxation({ { .5, .02 }, { .8, .2 }, { 1.2, 2
 const std::array<const char*, 3> OracleColumns = { "F_flat(m=1)", "F_paraboloid(m=1.5)",
   "F_cone(m=2); p=.5,.8,1.2 tau=.02,.2,2" };
 
-/// Largest difference from the sheet's reference, relative to the largest force of the run.
+/// Largest difference from the forces of the reference sheet, relative to the largest force of the
+/// run.
 double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillisecond)
 {
   const ReferenceTable table("rate/oracle_stop_and_go.csv");
@@ -77,8 +79,9 @@ double stopAndGoError(ToolContact& contact, std::size_t tool, int ticksPerMillis
 }
 } // namespace
 
-// The numbers of the sheet, reproduced by this kernel in the whole tick: 0.11 % and 0.26 % with 16
-// elements, 0.50 and 1.08 with 8, 5.0 and 6.8 quasi-linear. A flat end is exact.
+// The kernel reproduces the errors of the reference sheet in the whole tick, for sphere and cone:
+// 0.11 % and 0.26 % with 16 elements, 0.50 % and 1.08 % with 8, 5.0 % and 6.8 % quasi-linear. A
+// flat end is exact.
 TEST(ContactRelaxation, StopAndGo)
 {
   struct Case
@@ -126,13 +129,14 @@ TEST(ContactRelaxation, TingsPoints)
       force = contact.update(tipAt(depth), period).normalForce;
       largest = std::max(largest, force);
     }
-    // Worst cases of the sheet with 16 elements.
+    // Largest errors of the reference sheet with 16 elements.
     const double limit = m == 1.0 ? 1e-4 : m == 1.5 ? 4e-3 : 9.1e-3;
     EXPECT_NEAR(force, table.number(row, "F"), limit * largest) << "row " << row;
   }
 }
 
-// For any number of elements, and also for a curve that is not convex: Lee and Radok.
+// Loading agrees with Lee and Radok for any number of elements, also for a curve that is not
+// convex.
 TEST(ContactRelaxation, LoadingIsExact)
 {
   const PronySeries series = relaxation({ { 0.7, 0.05 }, { 1.5, 0.4 } });
@@ -151,8 +155,8 @@ TEST(ContactRelaxation, LoadingIsExact)
         if (i % 100 == 0)
         {
           const double slow = std::pow(5.0 * t, m);
-          // Second order in T/τ: (T/τ)²/12 of the force, 2e-6 here, more at the very start of a
-          // curve with a steep start.
+          // The error is of second order in T/τ: (T/τ)²/12 of the force, 2e-6 here, and more at the
+          // very start of a steep curve.
           EXPECT_NEAR(felt.normalForce, slow * palpate::rampFactor(series, m, t), 2e-5)
             << m << " " << count << " " << t;
           EXPECT_NEAR(felt.normalForce - felt.memory, slow, 1e-6);
@@ -162,7 +166,8 @@ TEST(ContactRelaxation, LoadingIsExact)
   }
 }
 
-// The contact ends when the flat law is zero, at the same depth for every tool.
+// The contact ends at the depth at which the force of a flat end is zero, which is the same depth
+// for every tool.
 TEST(ContactRelaxation, EveryToolLeavesAtTheSameDepth)
 {
   const ReferenceTable table("rate/triangle_ting.csv");
@@ -185,7 +190,7 @@ TEST(ContactRelaxation, EveryToolLeavesAtTheSameDepth)
         const Contact felt = contact.update(tipAt(depth), period);
         last = felt.state != ContactState::None ? depth : last;
       }
-      // A tick moves 0.00125 of the depth. The last tick in contact is up to one tick earlier.
+      // In a tick the depth changes by 0.00125. The last tick in contact is up to one tick earlier.
       EXPECT_NEAR(last, table.number(row, "delta_liftoff/delta_max"), 2.6e-3) << row << " " << m;
     }
   }
@@ -210,7 +215,7 @@ TEST(ContactRelaxation, NothingRelaxesWithoutStrength)
   }
 }
 
-// A press with a long hold, from rest. A contact found at the first tick counts as relaxed.
+// A press from rest and a long hold. A contact found at the first tick counts as relaxed.
 TEST(ContactRelaxation, ComesToRest)
 {
   const PronySeries series = relaxation({ { 1.0, 0.01 } });
@@ -219,7 +224,8 @@ TEST(ContactRelaxation, ComesToRest)
   EXPECT_NEAR(contact.update(tipAt(0.5), 1e-3).normalForce, std::pow(0.5, 1.5), 1e-7);
   contact.update(tipAt(1.0), 0.0);
   EXPECT_NEAR(contact.update(tipAt(1.0), 0.0).normalForce,
-    1.0 + std::pow(1.0, 1.5) - std::pow(0.5, 1.5), 1e-6); // at once: (1 + p) of the new part
+    // at once: (1 + p) times the additional force
+    1.0 + std::pow(1.0, 1.5) - std::pow(0.5, 1.5), 1e-6);
   for (int i = 0; i < 1000; ++i)
   {
     contact.update(tipAt(1.0), 1e-3);
@@ -229,7 +235,8 @@ TEST(ContactRelaxation, ComesToRest)
   EXPECT_NEAR(rested.memory, 0.0, 1e-7);
 }
 
-// Curves that differ by a factor share one memory: the blended curve is the blend of the forces.
+// Curves that differ only by a factor have a common memory: the force of the blended curve is the
+// blend of the forces.
 TEST(ContactRelaxation, BlendsCurves)
 {
   const auto factor = [](const Vector3& at) { return 0.5 + 0.05 * at.x(); };
@@ -248,7 +255,8 @@ TEST(ContactRelaxation, BlendsCurves)
   }
 }
 
-// Different ranges use evaluations instead: the same result except for rounding of the range.
+// If the ranges differ, curves are evaluated in each tick. The result is the same, except for
+// rounding of the range.
 TEST(ContactRelaxation, UnlikeRanges)
 {
   RelaxingPlate plate(1.5, ThreeBranches);
@@ -267,8 +275,8 @@ TEST(ContactRelaxation, UnlikeRanges)
   EXPECT_LE(stopAndGoError(contact, 1, 1), 1.25 * 1.25 * 1.2e-3);
 }
 
-// A layer that relaxes on an elastic spring, with a flat end: the standard linear solid of the two
-// in series.
+// A relaxing layer on an elastic spring under a flat end: the standard linear solid of both in
+// series.
 TEST(ContactRelaxation, ElasticComplianceInSeries)
 {
   constexpr double p = 1.0;
@@ -281,7 +289,7 @@ TEST(ContactRelaxation, ElasticComplianceInSeries)
   const std::vector<float> elastic(plate.surface.points.size(), static_cast<float>(compliance));
   plate.terms.elasticCompliance = elastic.data();
   const auto body = plate.body();
-  // The same body as one that relaxes as a whole, by the algebra of springs and dampers.
+  // An equivalent body that relaxes as a whole, by the formulas of springs and dampers in series.
   const double whole = local / (1.0 + softness);
   const double instant = local * (1.0 + p) / (1.0 + softness * (1.0 + p));
   const double time = tau * (1.0 + softness * (1.0 + p)) / (1.0 + softness);
@@ -295,14 +303,15 @@ TEST(ContactRelaxation, ElasticComplianceInSeries)
     for (int i = -1; i < 1000; ++i)
     {
       const Vector3 tip = tipAt(i < 0 ? -0.1 : stopAndGo(i * 1e-3));
-      // Depths change linearly in a tick, the local depth only nearly so: second order.
+      // In a tick the depth changes linearly, but the local depth only nearly so: an error of
+      // second order.
       EXPECT_NEAR(contact.update(tip, 1e-3).normalForce, oracle.update(tip, 1e-3).normalForce, 2e-3)
         << i;
     }
   }
 }
 
-// For a rounded tool: the force of a contact at rest is that of the slow response.
+// For a rounded tool the force of a contact at rest is that of the slow response.
 TEST(ContactRelaxation, SeriesRestsAtTheSlowResponse)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.0, 0.01 } }));
@@ -320,13 +329,13 @@ TEST(ContactRelaxation, SeriesRestsAtTheSlowResponse)
       {
         contact.update(tipAt(depth), 1e-3);
       }
-      // The local curve is sampled again, with an error of 1e-5 here.
+      // The local curve is sampled again, with an error of 1e-5.
       EXPECT_NEAR(contact.update(tipAt(depth), 1e-3).normalForce, std::pow(depth, 1.5), 5e-5);
     }
   }
 }
 
-// Two kinds of points with different strengths, checked at both and between them.
+// Strengths that vary from point to point, checked at points and between them.
 TEST(ContactRelaxation, StrengthsOfPoints)
 {
   RelaxingPlate plate(1.5, relaxation({ { 9.0, 0.1 } }));
@@ -351,7 +360,7 @@ TEST(ContactRelaxation, StrengthsOfPoints)
   }
 }
 
-// A lost reading ends the contact only. Time continues, and the dent recovers as without the loss.
+// A lost reading ends only the contact. Time continues, and the dent recovers as without the loss.
 TEST(ContactRelaxation, KeepsItsMemoryWhereAReadingIsLost)
 {
   const auto body = RelaxingPlate(1.5, relaxation({ { 1.0, 0.1 } })).body();
@@ -382,7 +391,8 @@ TEST(ContactRelaxation, KeepsItsMemoryWhereAReadingIsLost)
   EXPECT_NEAR(gaps.update(tipAt(0.5), 1e-3).memory, 0.0, 1e-12);
 }
 
-// A second press next to the first finds unrelaxed material; one at the same place starts softer.
+// A second press near the first one finds unrelaxed material. A second press at the same place
+// starts with a smaller force.
 TEST(ContactRelaxation, ADentIsWhereItIs)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.5, 0.5 } }));
@@ -411,7 +421,8 @@ TEST(ContactRelaxation, ADentIsWhereItIs)
   EXPECT_NEAR(beside, first, 0.02 * first); // ten contact radii away: e^-5 of the dent remains
 }
 
-// Moved along the surface from rest: the force rises, within the stated error of the exchange rule.
+// A tool at rest starts to move along the surface: the force rises, within the stated error of the
+// exchange rule.
 TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
 {
   const ReferenceTable table("rate/slide_halfspace.csv");
@@ -421,7 +432,7 @@ TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
     const double strength = table.number(row, "P");
     const std::string& tool = table.text(row, "tool");
     const double m = tool == "cone" ? 2.0 : 1.5;
-    constexpr double radius = 2.0; // mm, at 1 mm
+    constexpr double radius = 2.0; // contact radius at 1 mm, mm
     constexpr double tau = 0.2;
     RelaxingPlate plate(m, relaxation({ { strength, tau } }));
     plate.terms.radius = radius;
@@ -441,7 +452,8 @@ TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
         felt = contact.update(tipAt(1.0, 15.0 + way), period);
       }
       const double error = (felt.normalForce - table.number(row, "F/f")) / (1.0 + strength);
-      // The error of the rule itself is -5.3 to 4.7 %. The start sticks until the drag is exceeded.
+      // The exchange rule has an error of -5.3 to 4.7 %. At the start the contact sticks until the
+      // drag is exceeded.
       EXPECT_GT(error, -0.065) << tool << " " << strength << " " << x << " " << way;
       EXPECT_LT(error, 0.048) << tool << " " << strength << " " << x << " " << way;
     }
@@ -450,8 +462,8 @@ TEST(ContactRelaxation, SlidingAgainstTheMovingOracle)
 
 namespace
 {
-/// The work of a hand along a path that ends outside, N mm, over f δ. The ticks are short enough
-/// for the trapezoidal rule.
+/// Work of the user along a path that ends outside, N mm, in units of f δ. The ticks are short
+/// enough for the trapezoidal rule.
 double workAlong(ToolContact& contact, const std::vector<Vector3>& path, double period)
 {
   double work = 0.0;
@@ -475,8 +487,8 @@ void lineTo(std::vector<Vector3>& path, const Vector3& to, int ticks)
 }
 } // namespace
 
-// The worst case of the sheet: press slowly, slide fast, release fast. Without drag the exchange
-// would return 0.586 of f δ.
+// The worst case of the reference sheet: a slow press, a fast slide, a fast release. Without drag
+// the exchange would return 0.586 of f δ.
 TEST(ContactRelaxation, SlidingGivesNoEnergy)
 {
   RelaxingPlate plate(1.5, relaxation({ { 1.5, 1.0 } }));
@@ -500,7 +512,7 @@ TEST(ContactRelaxation, SlidingGivesNoEnergy)
   }
 }
 
-// Random closed paths over varying curves and strengths, with the form that has an energy.
+// Random closed paths over varying curves and strengths, with the energy-consistent force form.
 TEST(ContactRelaxation, NoPathGivesEnergy)
 {
   std::mt19937 random(20260125);
@@ -533,11 +545,12 @@ TEST(ContactRelaxation, NoPathGivesEnergy)
     lineTo(path, tipAt(-0.02, path.back().x(), path.back().y()), 200);
     least = std::min(least, workAlong(contact, path, 1e-3));
   }
-  // Trapezoids over up to 0.1 mm a tick, and jumps of the energy from facet to facet.
+  // Error of trapezoids over up to 0.1 mm per tick, and jumps of the energy from facet to facet.
   EXPECT_GT(least, -2e-3);
 }
 
-// A loop needs the instantaneous stiffness: a capped share keeps it below the cap.
+// A sampled loop must limit the instantaneous stiffness. cappedShare() reduces the force so that
+// its rise stays below the cap.
 TEST(ContactRelaxation, CappedStiffness)
 {
   const PronySeries series = relaxation({ { 1.0, 0.1 }, { 0.5, 1.0 } });
@@ -558,7 +571,7 @@ TEST(ContactRelaxation, CappedStiffness)
         ASSERT_GE(share, 0.0);
         ASSERT_LE(share, 1.0);
         const double force = share * felt.normalForce;
-        // Chords replace the curve: 1 % more over one of them.
+        // The curve is replaced by chords, which are up to 1 % steeper.
         EXPECT_LE(force - before, 1.01 * cap * 1e-3) << m << " " << count << " " << i;
         before = force;
       }

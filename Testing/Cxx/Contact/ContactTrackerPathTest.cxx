@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tip presses and slides. In every tick the contact is the nearest point of the triangles within
-// two rings of the last contact, found here by plain loops.
+// two rings of the last contact. The tests find this point by enumeration.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/ContactTracker.h"
@@ -22,7 +22,7 @@ using Outcome = ContactTracker::Outcome;
 
 namespace
 {
-/// Follows the path over t in [0, 1]; returns the number of ticks in contact.
+/// Follows the path for t in [0, 1]. Returns the number of ticks in contact.
 int followPath(const Surface& given, int ticks, const std::function<Vector3(double)>& path)
 {
   const Surface body = given.rounded();
@@ -58,8 +58,7 @@ int followPath(const Surface& given, int ticks, const std::function<Vector3(doub
 
 TEST(ContactTrackerPath, OverASphere)
 {
-  // Facets of 3 mm, pressed up to 1.5 mm deep, 0.13 mm per tick; the contact ends twice on the
-  // path.
+  // Facets of 3 mm, depths of up to 1.5 mm, 0.13 mm per tick. The contact ends twice on the path.
   const int contacts = followPath(icosphere(20.0, 3), 800,
     [](double t)
     {
@@ -76,7 +75,7 @@ TEST(ContactTrackerPath, OverASphere)
 
 TEST(ContactTrackerPath, AroundATorus)
 {
-  // Through the hole of the torus, where the surface is saddle-shaped.
+  // Through the hole of the torus, where the surface has the shape of a saddle.
   const int contacts = followPath(torus(20.0, 6.0, 60, 30), 600,
     [](double t)
     {
@@ -93,9 +92,9 @@ TEST(ContactTrackerPath, AroundATorus)
 
 TEST(ContactTrackerPath, OverAVGroove)
 {
-  // Under the bottom of the groove and up its other wall: at the concave edge a whole fan of tips
-  // has the same closest line. 0.6 mm under the surface. At convex rims the tip crosses surfaces of
-  // equal distance, which are 0.6 mm away, within the two rings.
+  // 0.6 mm below the surface, under the bottom of the groove and up its other wall. Below the
+  // concave edge a whole range of tips has the same closest line. At convex rims the nearest
+  // surface changes; the other face is 0.6 mm away, within the two rings.
   const int contacts = followPath(subdivided(grooveBlock(), 3), 500,
     [](double t)
     {
@@ -108,7 +107,7 @@ TEST(ContactTrackerPath, OverAVGroove)
 
 TEST(ContactTrackerPath, SeesWhereItWillBe)
 {
-  // Facets of 0.4 to 4 mm, 0.1 and 1.6 mm per tick, 1 mm deep.
+  // Facets of 0.4 and 4 mm, 0.1 and 1.6 mm per tick, at a depth of 1 mm.
   for (const int cuts : { 50, 500 })
   {
     const Surface body = bumpySphere(cuts);
@@ -117,7 +116,7 @@ TEST(ContactTrackerPath, SeesWhereItWillBe)
     for (const double step : { 0.1, 1.6 })
     {
       ContactTracker tracker(mesh, tree);
-      EXPECT_EQ(tracker.triangleAhead(bumpyPoint(Vector3::UnitX())), -1); // no contact yet
+      EXPECT_EQ(tracker.triangleAhead(bumpyPoint(Vector3::UnitX())), -1); // there is no contact yet
       const std::vector<Vector3> tips = windingTips(1000, 1.0, step);
       tracker.update(tips[0]);
       int seen = 0;

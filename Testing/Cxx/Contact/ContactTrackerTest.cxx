@@ -35,7 +35,7 @@ struct Tracked
 
 TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
 {
-  // 4 mm thick, pressed from the top (z = 4) to a depth of 3.9 mm, with some sliding.
+  // A slab of 4 mm, pressed from the top (z = 4) to a depth of 3.9 mm with some sliding.
   Tracked slab(subdivided(block(40, 40, 4), 4));
   for (int i = 0; i <= 390; ++i)
   {
@@ -44,14 +44,14 @@ TEST(ContactTracker, ThinSlabKeepsTheSideItWasEnteredBy)
     const ContactTracker::Result contact = slab.tracker.update(tip);
     ASSERT_EQ(contact.outcome, i > 0 ? Outcome::Inside : Outcome::Outside) << depth;
     EXPECT_EQ(contact.place.projection.point.z(), 4.0);
-    EXPECT_NEAR(contact.place.signedDistance, -depth, 1e-14); // 4 - (4 - depth)
+    EXPECT_NEAR(contact.place.signedDistance, -depth, 1e-14); // 4 - (4 - depth) is rounded
     if (depth > 2.01)
     {
-      // The global nearest point has been on the other side for long.
+      // The nearest point of the whole surface is now on the other side.
       EXPECT_EQ(slab.tree.closest(tip).projection.point.z(), 0.0);
     }
   }
-  // Without a history the contact of the same tip is on the bottom.
+  // Without a history the contact of the same tip is at the bottom.
   slab.tracker.reset();
   EXPECT_EQ(slab.tracker.update(Vector3(19.2, 17.1, 0.1)).place.projection.point.z(), 0.0);
 }
@@ -64,7 +64,7 @@ TEST(ContactTracker, LeavingEndsTheContact)
   const ContactTracker::Result left = ball.tracker.update(Vector3(0, 0, 20.5));
   EXPECT_EQ(left.outcome, Outcome::Outside);
   EXPECT_GT(left.place.signedDistance, 0.0);
-  // A new entry from the other side does not remember the first contact.
+  // The entry from the other side does not depend on the first contact.
   const ContactTracker::Result again = ball.tracker.update(Vector3(0, 0, -19));
   EXPECT_EQ(again.outcome, Outcome::Inside);
   EXPECT_LT(again.place.projection.point.z(), -18.0);
@@ -84,7 +84,7 @@ TEST(ContactTracker, OpenBorderLosesTheContact)
   EXPECT_EQ(plate.tracker.update(Vector3(9.5, 5.2, -0.5)).outcome, Outcome::Inside);
   EXPECT_EQ(plate.tracker.update(Vector3(10.5, 5.2, -0.5)).outcome, Outcome::Border);
   EXPECT_EQ(plate.tracker.update(Vector3(11.5, 11.2, -0.5)).outcome, Outcome::Border);
-  // Above the plane of the plate there is no contact, neither next to it nor over it.
+  // A tip above the plane of the plate has no contact, over the plate or next to it.
   EXPECT_EQ(plate.tracker.update(Vector3(10.5, 5.2, 0.5)).outcome, Outcome::Outside);
   EXPECT_EQ(plate.tracker.update(Vector3(5.5, 5.2, 0.5)).outcome, Outcome::Outside);
   EXPECT_EQ(plate.tracker.update(Vector3(5.5, 5.2, -0.5)).outcome, Outcome::Inside);
@@ -98,12 +98,12 @@ TEST(ContactTracker, NaNForgetsTheContact)
   {
     slab.tracker.reset();
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 3.5)).outcome, Outcome::Inside);
-    // The tip is below the middle, but its history keeps it at the top ...
+    // The tip is below the middle, but its history keeps the contact at the top.
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 4.0);
     const ContactTracker::Result invalid = slab.tracker.update(bad);
     EXPECT_EQ(invalid.outcome, Outcome::Invalid);
     EXPECT_EQ(invalid.place.triangle, -1);
-    // ... until the history is gone.
+    // After the invalid tip the history is gone, and the nearer side counts.
     EXPECT_EQ(slab.tracker.update(Vector3(20, 20, 1.5)).place.projection.point.z(), 0.0);
   }
 }
@@ -116,8 +116,8 @@ TEST(ContactTracker, BodyWithoutTriangles)
 
 TEST(ContactTracker, EntersAnotherWallInTheTickItLeavesOne)
 {
-  // Two blocks 2 mm apart: the tip leaves the first (through the side where it entered) and enters
-  // the second.
+  // Two blocks at a distance of 2 mm: the tip leaves the first block through the side where it
+  // entered, and enters the second.
   Surface both = subdivided(block(10, 10, 10), 2);
   const Surface other = both;
   const auto shift = static_cast<std::int32_t>(both.points.size());
@@ -140,11 +140,11 @@ TEST(ContactTracker, EntersAnotherWallInTheTickItLeavesOne)
 
 TEST(ContactTracker, FollowsFurtherThanOneRingInOneTick)
 {
-  // 30 mm in one tick across cells of 0.6 mm: about 50 rings, far below the bound of 256.
+  // 30 mm in one tick across cells of 0.6 mm: about 50 rings, fewer than the limit of 256.
   Tracked slab(subdivided(block(40, 40, 4), 6));
   EXPECT_EQ(slab.tracker.update(Vector3(5, 20.1, 3.5)).outcome, Outcome::Inside);
   const ContactTracker::Result contact = slab.tracker.update(Vector3(35, 20.1, 1.0));
   EXPECT_EQ(contact.outcome, Outcome::Inside);
-  // The contact stays on the top although the bottom is nearer.
+  // The contact stays at the top although the bottom is nearer.
   EXPECT_LE((contact.place.projection.point - Vector3(35, 20.1, 4)).norm(), 1e-13);
 }

@@ -29,7 +29,7 @@ Vector3 anyDirection(std::mt19937& random)
   return Vector3(x, y, gauss(random)).normalized();
 }
 
-/// One contact history and its last result. Copies follow their own paths.
+/// A contact with its history, and its last result. Copies have separate histories.
 class Follower
 {
 public:
@@ -54,8 +54,8 @@ private:
   std::optional<ToolContact> Touch;
 };
 
-/// Force jump at the first change of triangle between two places on the path. `before`: the contact
-/// at the first place.
+/// Jump of the force at the first change of triangle between two places on the path. `before`: the
+/// contact at the first place.
 double jumpBetween(const std::function<Vector3(double)>& tipAt, double low, double high,
   Follower before, Follower after)
 {
@@ -76,8 +76,8 @@ struct Work
   double scale = 0.0;
 };
 
-/// ∫F·dx and ∫|F||dx| on a piece of a path, by the trapezoidal rule. A piece in which the triangle
-/// changes is halved until it is 1e-8 mm long, since the force may jump there.
+/// Adds ∫F·dx and ∫|F||dx| of a part of a path, by the trapezoidal rule. A part in which the
+/// triangle changes is halved until it is 1e-8 mm long, since the force may jump there.
 void addWork(const std::function<Vector3(double)>& tipAt, double low, double high,
   Follower& follower, Work& sum)
 {
@@ -177,7 +177,7 @@ MeshedBody::MeshedBody(const SmoothBody& body, int cuts, const Stiffening& stiff
 double forceJump(
   const MeshedBody& body, const ContactSettings& settings, double depth, double length)
 {
-  // A circle that passes no corner and follows no edge of the octahedron's grid.
+  // A circle that does not meet a corner or follow an edge of the octahedron's grid.
   const Vector3 axis = Vector3(0.31, -0.47, 0.83).normalized();
   const Vector3 start = axis.unitOrthogonal();
   const auto tipAt = [&](double along) -> Vector3
@@ -219,13 +219,13 @@ double loopEnergy(
       const double angle = 6.283185307179586 * turn;
       const double wide = 3.0 * (1.0 + 0.3 * std::cos(angle + 0.5)) / body.shape.meanRadius;
       const Vector3 direction = middle + wide * (std::cos(angle) * x + 0.7 * std::sin(angle) * y);
-      // Outside for a third of the path; the deepest point is not in the middle of the rest.
+      // A third of the path is outside. The deepest point is not in the middle of the other part.
       const double depth = 0.6 * std::sin(angle) + 0.2 * std::sin(2.0 * angle + 0.4) + 0.2;
       return tipUnder(body.shape, direction.normalized(), reaching * depth);
     };
     constexpr int steps = 4000;
     Follower follower(ToolContact(*body.contact, settings));
-    follower.to(tipAt(0.75)); // outside
+    follower.to(tipAt(0.75)); // starts outside
     Work sum;
     for (int i = 0; i < steps; ++i)
     {

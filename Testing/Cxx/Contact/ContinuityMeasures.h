@@ -17,30 +17,30 @@
  */
 namespace palpate::testing
 {
-/// A body without facets: its surface over the unit sphere.
+/// A body without facets: its surface as a function of the direction.
 struct SmoothBody
 {
   std::string name;
   std::function<Vector3(const Vector3& direction)> point;
   std::function<Vector3(const Vector3& direction)> normal; ///< outward, unit
-  double smallestRadius; ///< of convex curvature; tips do not reach this depth
-  double meanRadius;     ///< from the centre, to convert lengths into angles
+  double smallestRadius; ///< smallest radius of convex curvature; tips stay above this depth
+  double meanRadius;     ///< mean distance from the centre, which converts lengths into angles
 };
 SmoothBody smoothSphere(double radius);
 SmoothBody smoothEllipsoid(const Vector3& axes);
-SmoothBody smoothBumpySphere(); ///< of BumpySphere.h, radius 100 mm
+SmoothBody smoothBumpySphere(); ///< the body of BumpySphere.h, radius 100 mm
 
-/// F = 10 δ^1.5 times a factor at each place.
+/// F = 10 δ^1.5; a Stiffening multiplies it by a factor at each place.
 double responseForce(double depth);
 using Stiffening = std::function<double(const Vector3& direction)>;
 double uniform(const Vector3& direction);
-/// A factor between 0.5 and 1.5 that varies over about the radius of the body.
+/// A factor between 0.5 and 1.5 that varies over lengths of about the radius of the body.
 double varied(const Vector3& direction);
 
 enum class MeshNormals
 {
-  Exact,        ///< of the smooth body
-  AngleWeighted ///< of the mesh, as without better normals
+  Exact,        ///< normals of the smooth body
+  AngleWeighted ///< computed from the mesh, as if no better normals were known
 };
 
 /// The grid of an octahedron with 8 cuts² triangles, projected onto the body. The triangles differ
@@ -57,18 +57,19 @@ struct MeshedBody
   std::unique_ptr<ContactBody> contact;
 };
 
-/// The largest |ΔF|/f between two tips 1e-9 mm apart. It includes all changes of triangle of a tip
-/// `depth` under the smooth body on `length` mm of a path around it; each is located by bisection.
+/// Largest |ΔF|/f between two tips 1e-9 mm apart. Includes all changes of triangle of a tip at
+/// `depth` below the smooth body on a path of `length` mm around it. Each change is located by
+/// bisection.
 double forceJump(
   const MeshedBody& body, const ContactSettings& settings, double depth, double length);
 
-/// The largest |∮F·dx| over ∮|F||dx| of `loops` closed paths: down at one place, about 6 mm
-/// sideways with changing depth, up at another, back outside. `reaching` is their greatest depth.
+/// Largest |∮F·dx| / ∮|F||dx| of `loops` closed paths: down at one place, about 6 mm sideways with
+/// changing depth, up at another place, back outside. `reaching` is the largest depth.
 double loopEnergy(
   const MeshedBody& body, const ContactSettings& settings, double reaching, int loops);
 
-/// The largest error of the force at `tips` places `depth` under the smooth body, each the first
-/// tick of its contact: the relative error of its magnitude, and the error of its direction, rad.
+/// Largest error of the force at `tips` places at `depth` below the smooth body, each the first
+/// tick of a contact: the relative error of the magnitude, and the error of the direction, rad.
 struct ForceError
 {
   double size = 0.0;

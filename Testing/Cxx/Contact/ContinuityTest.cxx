@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force jumps from triangle to triangle, energy gained on closed paths, and the difference from the
-// force of the smooth body: the formulas of polygons, and the orders in the size of the mesh.
+// Jumps of the force between triangles, energy gained on closed paths, and the difference from the
+// force on the smooth body: the formulas for polygons, and the orders in the size of the mesh.
 #include "ContinuityMeasures.h"
 #include "ReferenceTable.h"
 #include "SampleResponses.h"
@@ -39,7 +39,7 @@ ContactSettings formOf(ForceForm form, ContactSurface surface)
 const std::vector<ForceForm> allForms = { ForceForm::Paper, ForceForm::NormalizedDirection,
   ForceForm::EnergyConsistent };
 
-/// Meshes of a sphere; the second has edges of half the length.
+/// Meshes of a sphere; the edges of the second are half as long.
 const MeshedBody& sphere(std::size_t fineness, bool isVaried)
 {
   static const std::vector<MeshedBody> equal = []
@@ -59,12 +59,12 @@ const MeshedBody& sphere(std::size_t fineness, bool isVaried)
   return (isVaried ? changing : equal)[fineness];
 }
 
-/// A prism over a polygon of N sides, 40 high, with radial normals, and the jump of its force as a
-/// tip passes under its first edge, from 1e-7 rad before to 1e-7 rad after it.
+/// Jump of the force on a prism with N sides, 40 mm high, with radial normals, as a tip passes
+/// below its first edge: from 1e-7 rad before to 1e-7 rad after the edge.
 struct PolygonJump
 {
-  double force;        ///< |ΔF| over f
-  double contactPoint; ///< mm
+  double force;        ///< |ΔF| / f
+  double contactPoint; ///< jump of the contact point, mm
 };
 
 PolygonJump polygonJump(int sides, double depth, const ContactSettings& settings)
@@ -116,28 +116,28 @@ TEST(Continuity, JumpsUnderTheCornersOfPolygons)
     const double paper = table.number(row, "eq3_rel_jump");
     const double point = table.number(row, "contact_point_jump");
     const double facets = table.number(row, "flatnormal_jump");
-    // The table contains the geometry of polygons, without the path of 2e-7 rad itself.
+    // The table contains the geometry of polygons, without the path of 2e-7 rad.
     EXPECT_NEAR(h, 2.0 * Radius * std::sin(Pi / sides), 1e-13);
     EXPECT_NEAR(paper, depth / Radius * std::sin(2.0 * Pi / sides), 4e-7);
     EXPECT_NEAR(point, depth * std::sin(2.0 * Pi / sides), 2e-7 * 2.0 * Radius);
     EXPECT_NEAR(facets, 2.0 * std::sin(Pi / sides), 1e-12);
 
-    // Coordinates are float32, 2e-6 mm: an edge of length h turns by 4e-6 mm / h.
+    // Coordinates are float32, 2e-6 mm: an edge of length h is rotated by 4e-6 mm / h.
     const double turned = 4e-6 / h;
     const PolygonJump ofPaper =
       polygonJump(sides, depth, formOf(ForceForm::Paper, ContactSurface::Facets));
     EXPECT_NEAR(ofPaper.contactPoint, point, 2.0 * depth * turned);
     EXPECT_NEAR(ofPaper.force, paper, 2.0 * turned * depth / h * (h / Radius) + 1e-7);
-    // Separate blending of direction and magnitude changes only the second order.
+    // Blending direction and magnitude separately changes only terms of second order.
     const PolygonJump normalized =
       polygonJump(sides, depth, formOf(ForceForm::NormalizedDirection, ContactSurface::Facets));
     EXPECT_NEAR(normalized.force, paper, paper * h * h / (Radius * Radius) + 1e-6);
-    // Along the normal of the facets.
+    // The force is along the normal of the facets.
     const PolygonJump energy =
       polygonJump(sides, depth, formOf(ForceForm::EnergyConsistent, ContactSurface::Facets));
     EXPECT_NEAR(energy.force, facets, 2.0 * turned);
-    // On the smooth surface every form turns only by the path (`phong` in the table, 2e-7), over 1
-    // - δ/R.
+    // On the smooth surface the direction of every form changes only with the path (`phong` in the
+    // table, 2e-7), divided by 1 - δ/R.
     for (const ForceForm form : allForms)
     {
       const PolygonJump smooth = polygonJump(sides, depth, formOf(form, ContactSurface::Smooth));
@@ -156,13 +156,13 @@ TEST(Continuity, FacetsJumpInProportionToTheirSize)
       const ContactSettings settings = formOf(form, ContactSurface::Facets);
       const double coarse = forceJump(sphere(0, isVaried), settings, Depth, 100.0);
       const double fine = forceJump(sphere(1, isVaried), settings, Depth, 100.0);
-      // ΔF/f ≈ δh/R², for the crossed edge. Varying responses add the same amount.
+      // ΔF/f ≈ δh/R² for the crossed edge. Varying responses add the same amount.
       const double expected = Depth * sphere(0, isVaried).longestEdge / (Radius * Radius);
       EXPECT_GT(coarse, 0.4 * expected);
       EXPECT_LT(coarse, (isVaried ? 2.0 : 1.0) * expected);
       EXPECT_NEAR(coarse / fine, 2.0, 0.35);
     }
-    // The normal of the facets turns by the whole angle between them: an altitude over R.
+    // The normal of the facets changes by the whole angle between them: altitude / R.
     const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Facets);
     const double coarse = forceJump(sphere(0, isVaried), energy, Depth, 100.0);
     EXPECT_GT(coarse, 0.5 * sphere(0, isVaried).longestEdge / Radius);
@@ -177,7 +177,7 @@ TEST(Continuity, SmoothSurfaceDoesNotJump)
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
     {
-      // Between tips 1e-9 mm apart. Contact points are accurate to 1e-9 of an edge, times 1/R and
+      // Two tips are 1e-9 mm apart. Contact points are accurate to 1e-9 of an edge, times 1/R and
       // 1/h.
       EXPECT_LE(
         forceJump(sphere(0, isVaried), formOf(form, ContactSurface::Smooth), Depth, 100.0), 1e-8);
@@ -185,8 +185,8 @@ TEST(Continuity, SmoothSurfaceDoesNotJump)
   }
   const ContactSettings energy = formOf(ForceForm::EnergyConsistent, ContactSurface::Smooth);
   EXPECT_LE(forceJump(sphere(0, false), energy, Depth, 100.0), 1e-8);
-  // If responses differ, Σ e_i ∇n_i jumps like the slopes of a piecewise linear e: by h e″, where e
-  // = 0.4 f δ times a factor whose second derivative is at most about 2/R².
+  // If responses differ, Σ e_i ∇n_i jumps as the slopes of a piecewise linear e do: by h e″, where
+  // e is 0.4 f δ times a factor whose second derivative is at most about 2/R².
   const double coarse = forceJump(sphere(0, true), energy, Depth, 100.0);
   const double fine = forceJump(sphere(1, true), energy, Depth, 100.0);
   EXPECT_LT(coarse, 4.0 * 0.4 * Depth * sphere(0, true).longestEdge * 2.0 / (Radius * Radius));
@@ -196,7 +196,7 @@ TEST(Continuity, SmoothSurfaceDoesNotJump)
 
 TEST(Continuity, ClosedPathsWithEqualResponses)
 {
-  const double floor = 1e-6; // of the quadrature, 4000 steps
+  const double floor = 1e-6; // error of the quadrature with 4000 steps
   for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
   {
     // O(h²/(Rδ)), relative to force times path. The jumps on the path have both signs.
@@ -215,7 +215,8 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
   {
     EXPECT_LT(loopEnergy(sphere(0, false), formOf(form, ContactSurface::Smooth), Depth, 8), floor);
   }
-  // Eq. 3 still loses energy, because its blended normal is shorter than 1.
+  // Eq. 3 of Mahvash and Hayward loses energy also on the smooth surface, because its blended
+  // normal is shorter than 1.
   const ContactSettings paper = formOf(ForceForm::Paper, ContactSurface::Smooth);
   const double coarse = loopEnergy(sphere(0, false), paper, Depth, 8);
   EXPECT_GT(coarse, 10.0 * floor);
@@ -224,7 +225,8 @@ TEST(Continuity, ClosedPathsWithEqualResponses)
 
 TEST(Continuity, ClosedPathsWithResponsesThatDiffer)
 {
-  // A press at one place and release at another gains e_k - e_j, however fine the mesh is.
+  // A press at one place and a release at another place gain e_k - e_j for any fineness of the
+  // mesh.
   for (const ContactSurface surface : { ContactSurface::Facets, ContactSurface::Smooth })
   {
     for (const ForceForm form : { ForceForm::Paper, ForceForm::NormalizedDirection })
@@ -232,7 +234,8 @@ TEST(Continuity, ClosedPathsWithResponsesThatDiffer)
       EXPECT_GT(loopEnergy(sphere(1, true), formOf(form, surface), Depth, 8), 3e-3);
     }
   }
-  // With an energy the only gain is from jumps of the energy itself, from facet to facet.
+  // The energy-consistent form gains energy only from jumps of the energy itself, from facet to
+  // facet.
   const double facets = loopEnergy(
     sphere(1, true), formOf(ForceForm::EnergyConsistent, ContactSurface::Facets), Depth, 8);
   EXPECT_LT(facets, 1e-3);
@@ -250,8 +253,8 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
     for (const ForceForm form : allForms)
     {
       // A facet is up to h²/(6R) below the surface (h²/(8R) at its edges), which reduces the depth;
-      // the force is δ^1.5. Its triangles are longer than wide, so the reduction is smaller than
-      // that.
+      // the force is δ^1.5. The triangles are longer than wide, so the reduction is smaller than
+      // this.
       const ForceError facets = forceError(body, formOf(form, ContactSurface::Facets), Depth, 2000);
       const double sag = h * h / (6.0 * Radius);
       EXPECT_LT(facets.size, 1.5 * sag / Depth + h * h / (6.0 * Radius * Radius));
@@ -264,7 +267,8 @@ TEST(Continuity, ErrorAgainstTheSmoothSphere)
       EXPECT_LT(smooth.size, 1.5 * 0.005 * std::pow(h, 4) / std::pow(Radius, 3) + 4e-6);
       EXPECT_LT(smooth.direction, 0.01 * std::pow(h / Radius, 3) + 1e-5);
     }
-    // In Eq. 3 the normals reduce the force by h²/(6R²) on any surface.
+    // In eq. 3 of Mahvash and Hayward the blended normals reduce the force by h²/(6R²) on any
+    // surface.
     const ForceError paper =
       forceError(body, formOf(ForceForm::Paper, ContactSurface::Smooth), Depth, 2000);
     EXPECT_LT(paper.size, 1.1 * h * h / (6.0 * Radius * Radius));

@@ -6,7 +6,7 @@
 
 namespace palpate::testing
 {
-/// What a curve says at a depth.
+/// Force and stiffness of a curve at a depth.
 struct ContractValue
 {
   double force = 0.0;
@@ -16,9 +16,9 @@ struct ContractValue
 
 /**
  * A literal implementation of the data contract, as an independent check of ResponseSampling and of
- * the filters: F(δ) = δ^m r(s), s = √(δ/δ_max), r the cubic Hermite interpolant of r_i = F_i/δ_i^m
- * with slopes from the chain rule, in long double. Below δ_1 the power start, beyond δ_max the
- * tangent.
+ * the filters: F(δ) = δ^m r(s) with s = √(δ/δ_max), where r is the cubic Hermite interpolant of
+ * r_i = F_i/δ_i^m with slopes from the chain rule, in long double. Below δ_1 the curve is a power
+ * law, beyond δ_max it is the tangent.
  */
 struct ContractCurve
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cases that coupling must not change: one contact, contacts far apart, bodies without coupling;
-// and the coupling of two places.
+// Cases that coupling must not change: one contact, contacts far apart, bodies without coupling.
+// Also the coupling of two places.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
@@ -22,8 +22,8 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A path in and out of the plate, over its border and beyond its range, sometimes without a valid
-/// position.
+/// A path in and out of the plate, beyond its border and its range, with some positions that are
+/// not valid.
 Vector3 pathOf(int tick, double phase)
 {
   const double t = 1e-2 * tick + phase;
@@ -76,7 +76,7 @@ TEST(CoupledContacts, OneIsAToolContactToTheBit)
   }
 }
 
-// In a loop, a contact without a pose is not ended: only time passes for it.
+// In a servo loop a contact without a pose does not end; only time passes for it.
 TEST(CoupledContacts, AStepIsAToolContactAndKeepsItWithoutAPose)
 {
   CoupledPlate plate;
@@ -121,7 +121,7 @@ TEST(CoupledContacts, AStepIsAToolContactAndKeepsItWithoutAPose)
           }
         }
       }
-      // A contact that began again would have no friction in its first tick.
+      // A contact that had begun again would have no friction in its first tick.
       EXPECT_TRUE(back > 10 || settings.friction.coefficient == 0.0);
     }
   }
@@ -159,14 +159,15 @@ TEST(CoupledContacts, FarApartHardlyFeelEachOther)
   const auto poses = posesOf({ { 3.1, 4.0, 0.2 }, { 56.0, 57.0, 0.2 } });
   const double alone = ToolContact(*body).update(poses[0]).normalForce;
   const double coupled = two.settle(poses.data())[0].normalForce;
-  // 1.5 C F/δ to first order, with C of Boussinesq at 74.6 mm. The next order is the square of it.
+  // 1.5 C F/δ to first order, with Boussinesq's C at 74.6 mm. The next order is the square of this
+  // change.
   const double change =
     1.5 * alone / 0.2 / (3.14159265 * plate.terms.modulus * std::hypot(52.9, 53.0));
   EXPECT_NEAR(1.0 - coupled / alone, change, 2.0 * change * change);
   EXPECT_LT(change, 0.01);
 }
 
-// A tool that leaves removes its load, whether it is outside or its position is invalid.
+// A tool that leaves the surface or has an invalid position has no load.
 TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
 {
   const auto body = CoupledPlate().body();
@@ -184,9 +185,9 @@ TEST(CoupledContacts, WhoIsNotThereIsNotFelt)
   }
 }
 
-// With relaxation each tool has the force of a single tool that is less deep by the amount by which
-// the others' slow forces lower the surface. A tool that leaves faster than the body recovers has
-// no effect on the others.
+// With relaxation each tool has the force of a single tool at a depth that is reduced by the
+// lowering of the surface under the slow forces of the others. A tool that leaves faster than the
+// body recovers has no effect on the others.
 TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
 {
   CoupledPlate plate;
@@ -203,7 +204,7 @@ TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
   {
     const double t = 5e-3 * tick;
     const double first = 0.4 + 0.3 * std::sin(5.0 * t);
-    // Leaves quickly after a second, then enters again.
+    // The second tool leaves quickly after a second, then enters again.
     const double second = tick >= 200 && tick < 240 ? 0.5 - 0.4 * (tick - 199) / 40.0 : 0.5;
     const auto poses = posesOf({ { 25.1, 29.3, first }, { 31.2, 29.3, second } });
     const auto& felt = two.settle(poses.data(), 5e-3);
@@ -212,7 +213,8 @@ TEST(CoupledContacts, OfABodyThatRelaxesFeelItInTime)
     {
       const Vector3 raised = poses[i].tip + Vector3(0.0, 0.0, two.sunk(i));
       const Contact expected = alone[i].update(raised, 5e-3);
-      EXPECT_NEAR(felt[i].normalForce, expected.normalForce, 1e-9) << tick; // rounding
+      // tolerance for rounding
+      EXPECT_NEAR(felt[i].normalForce, expected.normalForce, 1e-9) << tick;
     }
     if (felt[0].normalForce > 0.0 && felt[1].normalForce > 0.0 && tick < 200)
     {
@@ -237,7 +239,8 @@ TEST(CoupledContacts, BeyondABorderFadeForTheOthersToo)
     CoupledContacts two(*body, {}, 2);
     const double x = 59.5 + 0.005 * i;
     const auto& felt = two.settle(posesOf({ { 55.0, 29.7, 0.5 }, { x, 29.7, 0.5 } }).data());
-    // No jump where the tip passes the border, at 60 mm, or where its force ends, at 60.5.
+    // The force on the first tool does not jump where the second one passes the border, at 60 mm,
+    // or where its force ends, at 60.5 mm.
     EXPECT_TRUE(before < 0.0 || std::abs(felt[0].normalForce - before) < 0.02) << x;
     before = felt[0].normalForce;
   }
@@ -246,7 +249,7 @@ TEST(CoupledContacts, BeyondABorderFadeForTheOthersToo)
 
 TEST(BodyCoupling, IsSymmetricAndKnowsItsGradients)
 {
-  // A ball on which every point has a different material and thickness and moves in three modes.
+  // A ball with another material and thickness at each point and three modes.
   const Surface ball = icosphere(20.0, 2);
   ResponseStore store(ball.points.size());
   store.normalsFromPoints(ball);
@@ -297,7 +300,7 @@ TEST(BodyCoupling, IsSymmetricAndKnowsItsGradients)
       step[2] = -1e-5;
       const double difference = coupling.compliance(coupling.at(one, weights + step, 0.1), away) -
         coupling.compliance(coupling.at(one, weights - step, 0.1), away);
-      // Rounding, over twice the step. The radius does not depend on the place.
+      // Rounding, divided by twice the step. The contact radius does not depend on the place.
       EXPECT_NEAR(gradient[k] - gradient[2], difference / 2e-5, 1e-8) << one << " " << other;
     }
   }
@@ -330,7 +333,8 @@ TEST(BodyCoupling, OfOppositeSidesIsThatOfTheModes)
   const auto beside = under({ 15.0, 10.0, 1.9 });
   EXPECT_DOUBLE_EQ(body.coupling->compliance(above, below), -0.25);
   EXPECT_NEAR(body.coupling->compliance(above, beside),
-    0.25 + above.normal.dot(beside.normal) / (3.14159265358979 * 6.0), 1e-6); // floats
+    // 1e-6: stored as floats
+    0.25 + above.normal.dot(beside.normal) / (3.14159265358979 * 6.0), 1e-6);
 }
 
 TEST(BodyCoupling, NamesWhatIsWrong)
@@ -373,13 +377,13 @@ TEST(BodyCoupling, NamesWhatIsWrong)
   says(terms, "0 to 16, but is 17");
 }
 
-// Two fingers pinch a slender body. Each finger alone bends it, which is 24 times softer than its
-// dent; together they only dent it. A Gauss-Seidel round leaves 0.92 of the residual.
+// Two fingers pinch a slender body. One finger alone bends the body, which is 24 times as soft as
+// its dent. Two fingers only dent the body. A Gauss-Seidel round reduces the residual to 0.92.
 TEST(CoupledContacts, APinchOfASlenderBodyIsFoundAtOnceAndFollowed)
 {
   CoupledPlate plate(true); // F = 4 δ: 1/4 = 1/k + C
   constexpr double bending = 0.24;
-  constexpr double dent = 100.0; // k, N/mm
+  constexpr double dent = 100.0; // stiffness k of the dent, N/mm
   std::vector<float> modes;
   for (const Vector3& point : plate.surface.points)
   {
@@ -393,10 +397,10 @@ TEST(CoupledContacts, APinchOfASlenderBodyIsFoundAtOnceAndFollowed)
   CoupledContacts settled(*body, {}, 2);
   for (const Contact& felt : settled.settle(poses.data()))
   {
-    // Modes are stored in floats: 6e-8 of 0.24 in 0.01.
+    // Modes are stored as floats: 6e-8 of 0.24 in 0.01.
     EXPECT_NEAR(felt.normalForce, 0.05 * dent, 1e-5 * 0.05 * dent);
   }
-  // A tick starts without a guess and converges at once.
+  // A tick starts without an estimate of the forces and converges in one step.
   CoupledContacts ticked(*body, {}, 2);
   EXPECT_NEAR(ticked.update(poses.data())[1].normalForce, 0.05 * dent, 1e-5 * 0.05 * dent);
   // One finger alone bends the body.

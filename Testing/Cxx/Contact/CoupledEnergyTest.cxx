@@ -28,7 +28,7 @@ ContactSettings energyConsistent()
 
 using Motion = std::function<Vector3(std::size_t tool, double angle)>;
 
-/// The work of the tools in the last of `turns` along closed paths, N mm; by chords.
+/// Work of the tools in the last of `turns` turns of their closed paths, N mm, by chords.
 double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, int turns,
   bool isSettled, double* sideWork = nullptr)
 {
@@ -65,8 +65,8 @@ double workOfATurn(CoupledContacts& contacts, const Motion& motion, int steps, i
 }
 } // namespace
 
-// Two fingers press up and down in place with a phase of a quarter turn, at 1 kHz: the sheet has
-// 2e-6 F δ for two rounds, 7e-5 for one.
+// Two fingers press up and down at fixed places with a phase difference of a quarter turn, at 1
+// kHz. The reference sheet states 2e-6 F δ for two rounds, 7e-5 for one.
 TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
 {
   const auto body = CoupledPlate().body();
@@ -79,12 +79,12 @@ TEST(CoupledEnergy, OfTwoFingersOutOfStepIsKept)
   CoupledContacts contacts(*body, energyConsistent(), 2);
   EXPECT_LT(std::abs(workOfATurn(contacts, motion, 1000, 2, false)), 2e-6 * scale);
   CoupledContacts settled(*body, energyConsistent(), 2);
-  // Chords have no error on a smooth closed path except rounding.
+  // On a smooth closed path chords have only rounding errors.
   EXPECT_LT(std::abs(workOfATurn(settled, motion, 1000, 2, true)), 1e-10 * scale);
 }
 
-// Tools that also circle around each other on a plate. Their attraction is a per cent of the force;
-// without it the energy of the loop would not be zero.
+// Tools that press and also circle around each other on a plate. Their attraction is one per cent
+// of the force; without it the energy of the loop would not be zero.
 TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
 {
   const auto body = CoupledPlate().body();
@@ -99,7 +99,7 @@ TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
   CoupledContacts settled(*body, energyConsistent(), 3);
   double sideWork = 0.0;
   const double lost = workOfATurn(settled, motion, 2000, 1, true, &sideWork);
-  EXPECT_LT(std::abs(lost), 2e-6 * scale); // curves are floats of one law; chords
+  EXPECT_LT(std::abs(lost), 2e-6 * scale); // error of the curve in floats, and of chords
   EXPECT_GT(sideWork, 1e-2 * scale);
   CoupledContacts normal(*body, {}, 3);
   EXPECT_GT(std::abs(workOfATurn(normal, motion, 2000, 1, true)), 2e-4 * scale);
@@ -107,7 +107,7 @@ TEST(CoupledEnergy, OfToolsThatMoveAboutIsKept)
 
 namespace
 {
-/// A body on which each point has a different curve, modulus, layer thickness and modes.
+/// A body with another curve, modulus, layer thickness and modes at each point.
 struct VariedBody
 {
   explicit VariedBody(const Surface& given)
@@ -158,8 +158,8 @@ struct VariedBody
 };
 } // namespace
 
-// The facets of a plate and the smooth surface of a ball. Both continue a contact without a jump,
-// so every term of the gradient is included.
+// The facets of a plate and the smooth surface of a ball. On both a contact continues without a
+// jump, so every term of the gradient has an effect.
 TEST(CoupledEnergy, OfABodyThatVariesIsKept)
 {
   const auto ball = VariedBody(icosphere(20.0, 2)).body();
@@ -185,7 +185,7 @@ TEST(CoupledEnergy, OfABodyThatVariesIsKept)
     CoupledContacts contacts(isSmooth ? *ball : *plate, settings, 2);
     double sideWork = 0.0;
     const double lost = workOfATurn(contacts, motion, 16000, 1, true, &sideWork);
-    // Chords over the kinks at the edges of triangles: an error of second order in the step.
+    // Chords across the kinks at the edges of triangles have an error of second order in the step.
     EXPECT_LT(std::abs(lost), 1e-4 * sideWork) << isSmooth;
     EXPECT_GT(sideWork, 0.1);
   }

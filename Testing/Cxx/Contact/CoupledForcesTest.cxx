@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forces of several tools on a half-space: against a boundary-element solution of two, and against
-// a direct solution of the equations.
+// Forces of several tools on a half-space, against a boundary-element solution for two tools and
+// against a direct solution of the equations.
 #include "Contact/Coupled/CoupledContacts.h"
 
 #include "CoupledPlate.h"
@@ -22,7 +22,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// Tips on a grid of this spacing, shifted slightly at random, with depths in a range.
+/// Tips on a grid with this spacing, each moved slightly at random, with depths in a range.
 std::vector<PressedTip> scattered(std::size_t count, double spacing, double least, double most)
 {
   std::mt19937 random(7);
@@ -37,7 +37,7 @@ std::vector<PressedTip> scattered(std::size_t count, double spacing, double leas
   return tips;
 }
 
-/// C of Boussinesq with the given diagonal.
+/// Boussinesq's matrix C with the given diagonal.
 Eigen::MatrixXd matrixOf(const std::vector<PressedTip>& tips, double modulus, double diagonal)
 {
   const auto n = static_cast<Eigen::Index>(tips.size());
@@ -90,14 +90,15 @@ TEST(CoupledForces, TwoBallsAgreeWithBoundaryElements)
     const bool isFirst = table.text(row, "quantity") == "F1/F01";
     const double ratio =
       felt[isFirst ? 0 : 1].normalForce / (10.0 * std::pow(isFirst ? deep : second, 1.5));
-    // The point law against two full contacts: at most 0.4 % of the force (bound of the sheet).
+    // The law of a point force has an error of at most 0.4 % of the force for two real contacts
+    // (bound of the reference sheet).
     EXPECT_NEAR(ratio / table.number(row, "BEM"), 1.0, 4e-3) << kind << " " << apart;
-    // The stated error covers it, except for the rounding of floats. It is largest for the weaker
-    // of two unlike contacts.
+    // The stated error is at least this error, except for the rounding of floats. It is largest for
+    // the weaker of two unequal contacts.
     const double stated = contacts.pointForceError(isFirst ? 0 : 1);
     EXPECT_LE(std::abs(ratio / table.number(row, "BEM") - 1.0), stated + 3e-4) << kind << apart;
     EXPECT_LT(stated, kind == "sphere_d2=1" ? 0.01 : 0.05);
-    // The same law by another code, to its six digits and those of floats.
+    // The same law by another code, to six digits and to the rounding of floats.
     EXPECT_NEAR(ratio, table.number(row, "point"), 3e-4) << kind << " " << apart;
     ++compared;
   }
@@ -122,16 +123,17 @@ TEST(CoupledForces, TwoFlatEndsAgreeWithBoundaryElements)
       posesOf({ { 20.0, 29.3, 0.5 }, { 20.0 + over * CoupledPlate::Flat, 29.3, 0.5 } });
     const auto& felt = contacts.settle(poses.data());
     const double alone = 2.0 * CoupledPlate::Flat * 0.5;
-    // Against the closed form; floats.
+    // The closed form, to the rounding of floats.
     EXPECT_NEAR(felt[0].normalForce / alone, 1.0 / (1.0 + 2.0 / (Pi * over)), 1e-6) << over;
     EXPECT_NEAR(felt[1].normalForce, felt[0].normalForce, 1e-6 * alone);
-    // The point law has an error of 0.8 % at twice the radius, less at larger distances. The flat
-    // ends of the grid are 1.4 % too small, an error of the same size and opposite sign.
+    // The law of a point force has an error of 0.8 % at twice the radius, less at larger distances.
+    // The boundary elements make flat ends 1.4 % too small, an error of the same size and opposite
+    // sign.
     EXPECT_NEAR(felt[0].normalForce / alone, table.number(row, "BEM"), 0.01) << over;
     EXPECT_LE(std::abs(table.number(row, "point") / table.number(row, "BEM") - 1.0),
       contacts.pointForceError(0))
       << over;
-    // Opposite motion: exact for two tools.
+    // Stiffness for opposite motion, which is exact for two tools.
     EXPECT_NEAR(contacts.stiffening(), 1.0 / (1.0 - 2.0 / (Pi * over)), 1e-5) << over;
     ++compared;
   }
@@ -161,7 +163,7 @@ TEST(CoupledForces, OfFlatEndsSolveTheLinearSystem)
   }
 }
 
-// Newton's method on closed forms, from above.
+// Reference: Newton's method on closed forms, from above.
 TEST(CoupledForces, OfBallsSolveTheEquations)
 {
   const CoupledPlate plate;
@@ -185,13 +187,13 @@ TEST(CoupledForces, OfBallsSolveTheEquations)
     for (std::size_t i = 0; i < count; ++i)
     {
       const double expected = 10.0 * std::pow(local[static_cast<Eigen::Index>(i)], 1.5);
-      EXPECT_NEAR(felt[i].normalForce / expected, 1.0, 2e-6) << i; // floats
+      EXPECT_NEAR(felt[i].normalForce / expected, 1.0, 2e-6) << i; // 2e-6: stored as floats
     }
   }
 }
 
-// Finds the tools that the others lift off: of all subsets the one without a negative force and
-// without a surface above a tool.
+// Tools that the others lift off have no force. The reference is, of all subsets of tools, the one
+// without a negative force and without an indented tool that has no force.
 TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
 {
   const CoupledPlate plate(true);
@@ -238,10 +240,12 @@ TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
   for (std::size_t i = 0; i < 5; ++i)
   {
     const double expected = solutions[0][static_cast<Eigen::Index>(i)];
-    EXPECT_NEAR(felt[i].normalForce, expected, 2e-6 * solutions[0].maxCoeff()) << i; // floats
+    // stored as floats
+    EXPECT_NEAR(felt[i].normalForce, expected, 2e-6 * solutions[0].maxCoeff()) << i;
     EXPECT_EQ(felt[i].state, expected > 0.0 ? ContactState::Slide : ContactState::None) << i;
   }
-  // The others move out: the tool has a force again at once, without having been outside.
+  // After the other tools have moved out, the tool has a force again at once, without having been
+  // outside.
   for (const std::size_t i : { 0U, 2U, 4U })
   {
     tips[i].depth = -0.5;
@@ -249,8 +253,8 @@ TEST(CoupledForces, WhoIsLiftedOffHasNoForce)
   EXPECT_NEAR(contacts.settle(posesOf(tips).data())[1].normalForce, 0.54, 0.1);
 }
 
-// At 200 mm/s and 1 kHz two rounds per tick leave an error of a thousandth of the force for ten
-// tools (the sheet: 1e-3), of twenty five.
+// At 200 mm/s and 1 kHz two rounds per tick have an error of a thousandth of the force for ten
+// tools (as in the reference sheet), and of five thousandths for twenty.
 TEST(CoupledForces, TwoRoundsFollowAFastHand)
 {
   const CoupledPlate plate;
@@ -265,7 +269,7 @@ TEST(CoupledForces, TwoRoundsFollowAFastHand)
       auto tips = scattered(count, 10.0, 0.9, 1.1);
       for (std::size_t i = 0; i < count; ++i)
       {
-        // At most 200 mm/s, up and down by 0.9 mm.
+        // Up and down by 0.9 mm with at most 200 mm/s.
         tips[i].depth += 0.9 * std::sin(200.0 / 0.9 * 1e-3 * tick + static_cast<double>(i));
       }
       const auto poses = posesOf(tips);
@@ -283,7 +287,7 @@ TEST(CoupledForces, TwoRoundsFollowAFastHand)
 }
 
 // Any number of adjacent flat ends is at most 2.75 times as stiff as one (charges on touching
-// spheres); seven in a hexagon have 1.75.
+// spheres). Seven ends in a hexagon have a factor of 1.75.
 TEST(CoupledForces, OfAHexagonAreBounded)
 {
   const CoupledPlate plate(true);
@@ -298,7 +302,7 @@ TEST(CoupledForces, OfAHexagonAreBounded)
   const Eigen::MatrixXd matrix = matrixOf(tips, 1.0, 1.0 / (2.0 * CoupledPlate::Flat));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   const double largest = 1.0 / solver.eigenvalues()[0] / (2.0 * CoupledPlate::Flat);
-  EXPECT_NEAR(largest, 1.75, 0.01); // value of the sheet
+  EXPECT_NEAR(largest, 1.75, 0.01); // value of the reference sheet
   tips[0].depth = 1.0;
   CoupledContacts contacts(*body, {}, 7);
   contacts.settle(posesOf(tips).data());

@@ -14,8 +14,9 @@
 
 namespace palpate::testing
 {
-/// A half-space as a plate at z = 0, 60 mm wide. A ball of 5 mm has F = 10 δ^1.5 (N, mm) on it, as
-/// for E* of 3.35 MPa; or a flat end of 2 mm has F = 4E* δ on 1 MPa. The test owns its memory.
+/// A half-space as a plate at z = 0, 60 mm wide. The tool is a ball of 5 mm with F = 10 δ^1.5 (N,
+/// mm), as for E* = 3.35 MPa, or a flat end of 2 mm with F = 4E* δ on 1 MPa. This object owns the
+/// memory of the arrays.
 struct CoupledPlate
 {
   static constexpr double Radius = 5.0;
@@ -52,11 +53,11 @@ struct CoupledPlate
   Surface surface;
   ResponseStore store;
   CouplingTerms terms;
-  RelaxationTerms relaxation; ///< none by default
+  RelaxationTerms relaxation; ///< no relaxation by default
   bool isLinear;
 };
 
-/// Tips pressed into the plate at (x, y).
+/// A tip at (x, y), pressed `depth` mm into the plate.
 struct PressedTip
 {
   double x, y, depth;

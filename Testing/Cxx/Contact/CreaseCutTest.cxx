@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces cut along their sharp edges: the sharp edges, the cut points, and the unchanged parts.
+// Surfaces that are cut along their sharp edges: which edges are sharp, which points are cut, and
+// which parts are unchanged.
 #include "SampleBodies.h"
 #include "Contact/Edges/BodyEdges.h"
 #include "Contact/PackedMesh.h"
@@ -44,7 +45,8 @@ void expectFolded(const PackedMesh& mesh, const IsOnCrease& isOnCrease)
   EXPECT_LT(folded, mesh.triangleCount());
 }
 
-/// A prism over a regular polygon of radius 10, 10 high, each triangle split into 4^times.
+/// A prism over a regular polygon of radius 10 mm, 10 mm high, with each triangle split into
+/// 4^times.
 Surface polygonPrism(int corners, int times)
 {
   std::vector<Eigen::Vector2d> polygon;
@@ -61,7 +63,7 @@ Surface polygonPrism(int corners, int times)
   return subdivided(prism(polygon, caps, 10.0), times);
 }
 
-/// Separate corners for every triangle, as in facet files.
+/// Separate corners for each triangle, as in an STL file.
 Surface inFacets(const Surface& body)
 {
   Surface apart;
@@ -92,9 +94,9 @@ TEST(CreaseCut, ABlockFallsIntoItsSixSides)
 {
   const Surface body = subdivided(block(20.0, 15.0, 10.0), 3);
   const PackedMesh mesh = cut(body);
-  // 12 edges of 8 sides each, counted from both faces.
+  // 12 edges of 8 sides each, counted for both faces.
   EXPECT_EQ(mesh.creases().size(), 2U * 12U * 8U);
-  // A point inside an edge becomes two, a corner three.
+  // A point on an edge becomes two points, a corner becomes three.
   EXPECT_EQ(mesh.pointCount(), body.points.size() + 12U * 7U + 8U * 2U);
   EXPECT_EQ(mesh.inputPointCount(), body.points.size());
   EXPECT_EQ(mesh.defects().borderEdges, 0U) << "a crease is no border";
@@ -105,7 +107,7 @@ TEST(CreaseCut, ABlockFallsIntoItsSixSides)
     EXPECT_EQ(mesh.neighbour(side.triangle, side.edge), PackedMesh::Crease);
     EXPECT_LT(mesh.faceNormal(side.triangle).dot(mesh.faceNormal(side.across)), 1e-6);
   }
-  // Each point has the normal of its face, and the triangles around it belong to that face.
+  // Each point has the normal of its face, and the triangles around the point belong to this face.
   for (std::int32_t point = 0; point < static_cast<std::int32_t>(mesh.pointCount()); ++point)
   {
     mesh.visitAround(point,
@@ -136,7 +138,7 @@ TEST(CreaseCut, ACoarseBallHasNoFaces)
   {
     const Surface ball = icosphere(10.0, times);
     const PackedMesh mesh = cut(ball);
-    EXPECT_TRUE(mesh.creases().empty()) << times; // also facets of 42° and 21°
+    EXPECT_TRUE(mesh.creases().empty()) << times; // even facets of 42° and 21° are not sharp edges
     EXPECT_EQ(mesh.pointCount(), ball.points.size());
   }
 }
@@ -145,7 +147,7 @@ TEST(CreaseCut, OnlyTheRimsOfACylinder)
 {
   // The sides meet at 5.6°, the rims at 90°.
   EXPECT_EQ(cut(polygonPrism(64, 1)).creases().size(), 2U * 2U * 128U);
-  // The sides of a hexagonal prism meet at 60°.
+  // The sides of a hexagonal prism meet at 60°, which is a sharp edge.
   EXPECT_EQ(cut(polygonPrism(6, 2)).creases().size(), 2U * (2U * 24U + 6U * 4U));
 }
 
@@ -158,12 +160,12 @@ TEST(CreaseCut, InnerEdgesAreNone)
       mesh.corner(side.triangle, (side.edge + 1) % 3) - mesh.corner(side.triangle, side.edge);
     EXPECT_GT(mesh.faceNormal(side.triangle).cross(mesh.faceNormal(side.across)).dot(along), 0.0);
   }
-  EXPECT_EQ(mesh.creases().size(), 2U * 4U * (2U * 6U + 5U)); // 6 sides, 5 of 6 uprights
+  EXPECT_EQ(mesh.creases().size(), 2U * 4U * (2U * 6U + 5U)); // 6 sides, 5 of 6 vertical edges
 }
 
 TEST(CreaseCut, BordersStayBorders)
 {
-  // A roof of 90°, open all around.
+  // A roof of 90° with a border all around.
   Surface roof = openPlate(10.0, 10);
   for (Vector3& point : roof.points)
   {

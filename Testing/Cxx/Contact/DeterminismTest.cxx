@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body built, reduced and pressed with 1, 2 and 8 threads gives identical bits. It has enough
-// points that each of eight threads gets a share.
+// A body that is built, reduced and pressed with 1, 2 and 8 threads gives identical bits. It has so
+// many points that each of eight threads has work.
 #include "BumpySphere.h"
 #include "Contact/Reduction/LeadingLaws.h"
 #include "Contact/ParallelRanges.h"
@@ -24,13 +24,13 @@ using namespace palpate::testing;
 namespace
 {
 #ifdef PALPATE_SANITIZED
-constexpr int Cuts = 64; // 16386 points: at most two threads, which is enough to show a race
+constexpr int Cuts = 64; // 16386 points: at most two threads, which is enough to find a race
 #else
 constexpr int Cuts = 136; // 73986 points, 147968 triangles
 #endif
 constexpr std::size_t Ticks = 4000;
 
-/// All compared results, byte after byte.
+/// The bytes of all compared results, one after the other.
 class Bytes
 {
 public:
@@ -61,7 +61,7 @@ private:
   std::vector<unsigned char> Stored;
 };
 
-/// Expects the same bits for 1, 2 and 8 threads, and checks that this number of threads ran.
+/// Expects the same bits for 1, 2 and 8 threads, and checks that this number of threads was used.
 template <class Work>
 void expectSameBits(const Work& work)
 {
@@ -77,8 +77,8 @@ void expectSameBits(const Work& work)
   }
 }
 
-/// Points and triangles in random order, so that the order along the curve differs from the
-/// input's. The curves do not fit a few laws, unless takeTwoLaws is called.
+/// Points and triangles in random order, so that the order along the curve differs from that of the
+/// input. The curves are not sums of a few laws, unless takeTwoLaws() is called.
 struct Made
 {
   Surface surface = shuffled(bumpySphere(Cuts), 11);
@@ -90,7 +90,8 @@ struct Made
     this->store.randomizeCurves(12);
   }
 
-  /// F = 10 δ^1.5 (1 + a part that grows faster), times a scale: two laws represent all curves.
+  /// Sets F = 10 δ^1.5 (1 + a part that grows faster), times a scale, so that two laws represent
+  /// all curves.
   void takeTwoLaws()
   {
     const std::size_t n = this->store.force.size() / this->store.range.size();
@@ -135,7 +136,7 @@ void addSurface(Bytes& bytes, const PackedMesh& mesh)
   }
 }
 
-/// Queries without a history, and a path in contact with friction.
+/// Adds the results of single queries and of a path in contact with friction.
 void addContact(Bytes& bytes, const ContactBody& body)
 {
   for (const Vector3& tip : windingTips(Ticks, 1.3, 7.0))
@@ -200,7 +201,8 @@ TEST(Determinism, Reduction)
     {
       Bytes bytes;
       addReduction(bytes, made.store.arrays(), ReducedForm::Basis);
-      // Before they are rounded to float, which would hide the order of the sums.
+      // The laws before they are rounded to float, because rounding would hide the order of the
+      // sums.
       const Eigen::MatrixXd laws = leadingLaws(ReducibleCurves(made.store.arrays()), 4);
       bytes.add(laws.data(), static_cast<std::size_t>(laws.size()));
       return bytes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The law of a contact near a sharp edge, against Hetényi's quarter space, and its own invariants.
+// The law of a contact near a sharp edge, against Hetényi's quarter space and by general
+// properties.
 #include "Contact/Edges/EdgeLaw.h"
 #include "Mechanics/Numerics/Constants.h"
 #include "Mechanics/Tools/ToolSpecification.h"
@@ -29,8 +30,8 @@ double distance(double x, double y)
 }
 } // namespace
 
-/// Between the Poisson's ratios of the table, for Hetényi's quarter space: 1/ψ = 0.809 - 0.890 ν to
-/// 0.15 % from ν = 0.3 on.
+/// ψ of Hetényi's quarter space at Poisson's ratios between those of the table: 1/ψ = 0.809 - 0.890
+/// ν, to 0.15 % from ν = 0.3 on.
 TEST(EdgeLaw, PointLoadSoftnessBetweenTheTablesRatios)
 {
   for (const double nu : { 0.32, 0.36, 0.4, 0.43, 0.47 })
@@ -39,7 +40,7 @@ TEST(EdgeLaw, PointLoadSoftnessBetweenTheTablesRatios)
   }
 }
 
-/// The forces of the table were computed independently; W and the side force come from the
+/// The forces of the table were computed independently. W and the side force are computed from the
 /// pressure.
 TEST(EdgeLaw, ForceAndSideForceAreThoseOfAQuarterSpace)
 {
@@ -49,11 +50,11 @@ TEST(EdgeLaw, ForceAndSideForceAreThoseOfAQuarterSpace)
     const double m = table.number(row, "m");
     const double u = table.number(row, "u=d/a0");
     const EdgeLaw::Value law = lawOf(m, table.number(row, "nu")).at(u, 1.0);
-    // 1e-5: digits of the table. The spline has different nodes.
+    // The digits of the table allow 1e-5. The spline has different nodes.
     EXPECT_NEAR(law.share, table.number(row, "Psi=W/W0"), 2e-3) << row;
-    // F = F0 Ψ - W0 Ψ' u a0'/a0 with W0 = F0 δ/(m+1), a0 ~ δ^(m-1). The table states errors of 0.5
-    // % for u > 0 and 1 to 3 % beyond the edge; its side force from the pressure agrees to 0.5 %.
-    // The slope at u = 8 is that of the tail.
+    // F = F0 Ψ - W0 Ψ' u a0'/a0 with W0 = F0 δ/(m+1) and a0 ∝ δ^(m-1). The table states errors of
+    // 0.5 % for u > 0 and of 1 to 3 % beyond the edge. The side force from the pressure agrees to
+    // 0.5 %. The slope at u = 8 is that of the tail and is not compared.
     const double force = law.share - (m - 1.0) / (m + 1.0) * u * law.slope;
     EXPECT_NEAR(force, table.number(row, "Phi=F/F0"), 8e-3) << row;
     if (u < 8.0)
@@ -104,9 +105,9 @@ TEST(EdgeLaw, RisesWithoutAKinkToAllOfIt)
           last = here.share;
           const EdgeLaw::Value before = law.at(u - h, sharpness);
           const EdgeLaw::Value after = law.at(u + h, sharpness);
-          // h² Ψ'''/6, and h Ψ'' if a node is in between.
+          // Error of the difference: h² Ψ'''/6, or h Ψ'' if a node is in between.
           EXPECT_NEAR(here.slope, (after.share - before.share) / (2.0 * h), 1e-4);
-          // A kink would be as large as the slope itself.
+          // At a kink the slope would change by about its own value.
           EXPECT_LT(distance(after.slope, before.slope), 2e-3);
         }
         EXPECT_GT(law.at(1e6, sharpness).share, 1.0 - 1e-5);
@@ -117,7 +118,8 @@ TEST(EdgeLaw, RisesWithoutAKinkToAllOfIt)
 
 TEST(EdgeLaw, FarAwayItIsAPointLoads)
 {
-  // 1 - Ψ of a flat is ψ a/(πd) there. The last place of the table, at 8, is 1 % below it.
+  // Far away 1 - Ψ of a flat end is ψ a/(πd). The last value of the table, at u = 8, is 1 % below
+  // this.
   for (const double nu : { 0.3, 0.45, 0.5 })
   {
     const double left = 1.0 - lawOf(1.0, nu).at(1000.0, 1.0).share;
@@ -136,7 +138,7 @@ TEST(EdgeLaw, OfRatiosAndToolsBetween)
   const EdgeLaw between = lawOf(1.75, 0.45);
   EXPECT_NEAR(between.at(1.0, 1.0).share,
     0.5 * (lawOf(1.5, 0.45).at(1.0, 1.0).share + lawOf(2.0, 0.45).at(1.0, 1.0).share), 1e-3);
-  // Values beyond the table are those of its end.
+  // Beyond the table the values at its end are used.
   EXPECT_EQ(lawOf(4.0, 0.45).at(0.5, 1.0).share, lawOf(2.0, 0.45).at(0.5, 1.0).share);
 }
 

@@ -24,7 +24,8 @@ using palpate::Vector3;
 
 namespace
 {
-/// A ball whose points differ up to 1:5 in stiffness: F = 10 c δ^1.5 to 2 mm, tangent beyond.
+/// A ball whose points differ in stiffness by up to 1:5: F = 10 c δ^1.5 up to 2 mm, then the
+/// tangent.
 struct Ball
 {
   Surface surface = icosphere(20.0, 2);
@@ -72,12 +73,12 @@ ContactSettings energyOn(ContactSurface surface)
   return settings;
 }
 
-/// Energy and triangle for a tip.
+/// Energy and triangle at the contact of a tip.
 struct Place
 {
   double energy;
   std::int32_t triangle;
-  double margin; ///< the smallest weight: near 0 at an edge
+  double margin; ///< smallest weight, which is near 0 at an edge
 };
 
 Place placeOf(const Ball& ball, ContactSurface surface, const Vector3& tip)
@@ -116,7 +117,7 @@ void compareWithDifferences(ContactSurface surface)
     const Contact found = ToolContact(*ball.body, energyOn(surface)).update(tip);
     if (found.state != ContactState::Slide)
     {
-      continue; // outside, or deeper than the curves reach
+      continue; // the tip is outside, or deeper than the curves reach
     }
     const Place here = placeOf(ball, surface, tip);
     Vector3 expected;
@@ -133,7 +134,7 @@ void compareWithDifferences(ContactSurface surface)
     if (sameTriangle)
     {
       ++compared;
-      // Samples are float32, 6e-8 each; the smooth point has an error of 1e-12, over e.
+      // Samples are float32, 6e-8 each. The smooth point has an error of 1e-12, divided by e.
       EXPECT_LE((found.force - expected).norm(), 1e-6 * found.force.norm());
       const Vector3 aside = found.force - found.normal * found.normal.dot(found.force);
       greatestAlong = std::max(greatestAlong, aside.norm() / found.force.norm());
@@ -141,7 +142,8 @@ void compareWithDifferences(ContactSurface surface)
     }
   }
   EXPECT_GT(compared, 200);
-  EXPECT_GT(greatestAlong, 0.05); // the part that eq. 3 does not have
+  // the tangential part, which eq. 3 of Mahvash and Hayward does not have
+  EXPECT_GT(greatestAlong, 0.05);
 }
 } // namespace
 
@@ -171,15 +173,15 @@ TEST(EnergyForce, EqualResponsesPushAlongTheNormal)
 
 TEST(EnergyForce, PointsWithoutResponseHaveNoSayAcrossAnEdge)
 {
-  // On the edge between (0,0) and (5,5), for either of its triangles. The opposite point has no
-  // response.
+  // The contact is on the edge between (0,0) and (5,5), in either of its triangles. The opposite
+  // point has no response.
   const Surface surface = openPlate(10.0, 2);
   for (const std::size_t opposite : { 1, 3 })
   {
     for (const ContactSurface on : { ContactSurface::Facets, ContactSurface::Smooth })
     {
       ResponseStore store(surface.points.size());
-      for (std::size_t i = 0; i < 8; ++i) // the points of the edge differ
+      for (std::size_t i = 0; i < 8; ++i) // the two ends of the edge differ
       {
         store.force[i] *= 0.5F;
         store.stiffness[i] *= 0.5F;
@@ -189,9 +191,9 @@ TEST(EnergyForce, PointsWithoutResponseHaveNoSayAcrossAnEdge)
       const Contact found = ToolContact(*body, energyOn(on)).update(Vector3(2.0, 2.0, -0.5));
       EXPECT_EQ(found.state, ContactState::Slide);
       EXPECT_TRUE(found.force.allFinite());
-      // e = 0.4 f δ, half of that at one end. Over the 7.1 mm of the edge, with a blend of 0.7, the
-      // force along the edge is 0.020 of the force. It is 0.029 if the contact is in the triangle
-      // that has all its responses. If the missing energy counted as 0, it would be 0.06.
+      // e = 0.4 f δ, and half of this at one end. Over the 7.1 mm of the edge, at a blended factor
+      // of 0.7, the tangential force is 0.020 of the normal force; 0.029 if the contact is in the
+      // triangle that has all its responses. If the missing energy counted as 0, it would be 0.06.
       EXPECT_GT(found.force.head<2>().norm(), 0.019 * found.force.z());
       EXPECT_LT(found.force.head<2>().norm(), 0.029 * found.force.z());
     }

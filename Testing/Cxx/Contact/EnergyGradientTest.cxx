@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The force as the gradient of an energy: compared with finite differences of the closest point's
+// The force as the gradient of an energy, compared with finite differences of the closest point's
 // area coordinates and of the energy.
 #include "Contact/EnergyGradient.h"
 
@@ -73,7 +73,8 @@ TEST(EnergyGradient, WeightGradientsOfEveryFeature)
     }
     if (sameFeature)
     {
-      // Linear within a feature: rounding over the offset.
+      // The weights are linear within a feature, so the error is the rounding divided by the
+      // offset.
       EXPECT_LE((found - expected).norm(), 1e-9);
       ++seen[static_cast<std::size_t>(feature)];
     }
@@ -111,7 +112,7 @@ TEST(EnergyGradient, ForceIsMinusTheGradientOfTheEnergy)
     }
     if (sameFeature)
     {
-      // Rounding of an energy over the offset, relative to the force: 1e-16 δ over the offset.
+      // Rounding of an energy divided by the offset, relative to the force: 1e-16 δ / offset.
       EXPECT_LE((force - expected).norm(), 1e-8 * (1.0 + force.norm()));
     }
   }
@@ -123,5 +124,5 @@ TEST(EnergyGradient, EqualEnergiesHaveNoGradient)
     TriangleFeature::Face, FirstCorner, SecondCorner, ThirdCorner);
   const Vector3 gradient =
     EnergyGradient::ofEnergies(gradients, Vector3::Constant(1e6 + 1.0 / 3.0));
-  EXPECT_EQ(gradient, Vector3(Vector3::Zero())); // to the last bit, for any energies
+  EXPECT_EQ(gradient, Vector3(Vector3::Zero())); // exact to the last bit, for any energies
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact on extreme bodies: one triangle, a hundred thousand pieces, a position a kilometre from
+// Contact on extreme bodies: one triangle, a hundred thousand parts, a position a kilometre from
 // the origin.
 #include "BruteForce.h"
 #include "Contact/ContactBody.h"
@@ -17,14 +17,14 @@ namespace palpate::testing
 {
 namespace
 {
-/// F = 10 δ^1.5 as in uniformBody (N, mm).
+/// F = 10 δ^1.5 (N, mm), as in uniformBody().
 double law(double depth)
 {
   return 10.0 * std::pow(depth, 1.5);
 }
 
-/// `side`³ tetrahedra of 4 to 8 mm, each centred at a point of a lattice of 12 mm, with random
-/// rotation and size. No two touch.
+/// `side`³ tetrahedra of 4 to 8 mm with random rotation and size, each centred at a point of a
+/// lattice of 12 mm. No two of them touch.
 constexpr double Lattice = 12.0;
 Surface scatteredTetrahedra(int side, unsigned seed)
 {
@@ -58,7 +58,8 @@ Surface scatteredTetrahedra(int side, unsigned seed)
   return body;
 }
 
-/// The triangles of the tetrahedra around a tip's lattice cell. All others are farther away.
+/// The triangles of the tetrahedra around a tip's lattice cell. All other triangles are farther
+/// away.
 std::vector<std::int32_t> trianglesNear(const Vector3& tip, int side)
 {
   std::vector<std::int32_t> near;
@@ -79,7 +80,7 @@ std::vector<std::int32_t> trianglesNear(const Vector3& tip, int side)
   return near;
 }
 
-/// True if the tip is behind all four faces of a tetrahedron.
+/// True if the tip is inside all four faces of a tetrahedron.
 bool isInside(const Surface& body, std::int32_t piece, const Vector3& tip)
 {
   for (std::int32_t t = 4 * piece; t < 4 * piece + 4; ++t)
@@ -103,7 +104,7 @@ Surface moved(Surface body, const Vector3& by)
   return body;
 }
 
-/// Tips 0.2 to 2 mm under a sphere of 20 mm.
+/// Tips 0.2 to 2 mm below a sphere of 20 mm.
 std::vector<Vector3> tipsUnderSphere(int count)
 {
   std::mt19937 random(11);
@@ -120,11 +121,11 @@ std::vector<Vector3> tipsUnderSphere(int count)
   return tips;
 }
 
-/// Largest differences between the contact on a distant body and on the same body at the origin.
+/// Largest differences between contacts on a distant body and on the same body at the origin.
 struct FarError
 {
   double depth = 0.0; ///< mm
-  double force = 0.0; ///< relative, for tips at least 1 mm deep
+  double force = 0.0; ///< relative, for tips at a depth of at least 1 mm
 };
 
 FarError farError(const Surface& near, const Surface& far, const Vector3& away)
@@ -166,7 +167,7 @@ TEST(ExtremeBodies, OneTriangle)
     {
       contact.reset();
       const Contact felt = contact.update({ 2.0, 3.0, -depth });
-      // The curve is stored in floats.
+      // The curve is stored as floats.
       EXPECT_NEAR(felt.normalForce, law(depth), 2e-7 * law(depth)) << depth;
       EXPECT_NEAR(felt.deflection, depth, 1e-12);
       EXPECT_EQ(felt.triangle, 0);
@@ -199,7 +200,7 @@ TEST(ExtremeBodies, AHundredThousandPieces)
   for (int i = 0; i < 2000; ++i)
   {
     Vector3 tip(inBox(random), inBox(random), inBox(random));
-    if (i % 2 == 0) // inside a piece, between its centre and a corner
+    if (i % 2 == 0) // inside a tetrahedron, between its centre and a corner
     {
       const std::int32_t piece = anyPiece(random);
       Vector3 middle = Vector3::Zero();
@@ -239,8 +240,8 @@ TEST(ExtremeBodies, MemoryPerPieceDoesNotDependOnTheirNumber)
       (side * side * side);
   };
   const double many = bytesPerPiece(47);
-  EXPECT_LT(many, 1.05 * bytesPerPiece(10)); // the part that a body has once
-  // 4 triangles of 105 bytes, 4 records of 80.
+  EXPECT_LT(many, 1.05 * bytesPerPiece(10)); // the part that each body has once
+  // 4 triangles of 105 bytes and 4 records of 80 bytes.
   EXPECT_LT(many, 4.0 * (115.0 + 80.0));
 }
 
@@ -248,8 +249,8 @@ TEST(ExtremeBodies, AKilometreAwayInDoubleAsAtTheOrigin)
 {
   const Surface near = icosphere(20.0, 4);
   const Vector3 away(1e6, -1e6, 1e6);
-  // The kernel's own floats are relative to the body's centre: half an ulp at 20 mm, 1e-6 mm, for
-  // each of the three coordinates, in both bodies.
+  // The kernel's floats are relative to the body's centre. Their rounding is half a unit in the
+  // last place at 20 mm, 1e-6 mm, for each of the three coordinates, in both bodies.
   const double corner = std::sqrt(3.0) * 0.96e-6;
   const FarError error = farError(near, moved(near, away), away);
   EXPECT_LE(error.depth, 2.0 * corner);
@@ -270,11 +271,11 @@ TEST(ExtremeBodies, AKilometreAwayInFloatOnAGridOfASixteenth)
   }
   EXPECT_GT(largest, 0.030);
   EXPECT_LE(largest, 0.03125); // half of 0.0625 mm
-  // No point of the surface moves by more than √3/32 mm, so the distance from it changes by at most
-  // that.
+  // No point of the surface moves by more than √3/32 mm, so the distance from the surface changes
+  // by at most this.
   const double corner = std::sqrt(3.0) / 32.0 + 2e-6;
   const FarError error = farError(near, far, away);
-  EXPECT_GT(error.depth, 0.01); // the error is present
+  EXPECT_GT(error.depth, 0.01); // the rounding has a measurable effect
   EXPECT_LE(error.depth, corner);
   EXPECT_GT(error.force, 0.01);
   EXPECT_LE(error.force, std::pow(1.0 + corner, 1.5) - 1.0); // 8.2 % at 1 mm

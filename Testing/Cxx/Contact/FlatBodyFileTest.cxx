@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body is unchanged after it is written to a file and read. A file that is incomplete or of
+// A body is unchanged after it is written to a file and read. A file that is incomplete or has
 // another format is rejected with a reason.
 #include "Contact/FlatBodyFile.h"
 
@@ -97,7 +97,7 @@ TEST_F(FlatBodyFileTest, TheCompactFormComesBackToTheBit)
     ResponseField(body.response).evaluate(0, 0.7).force);
 }
 
-// Written in the first format, which had no model parts.
+// A file in the first format, which had no model parts.
 TEST_F(FlatBodyFileTest, AFileOfTheFirstFormatIsRead)
 {
   FlatBodyFile file;
@@ -150,8 +150,8 @@ TEST_F(FlatBodyFileTest, AnyDamagedByteIsFound)
   ASSERT_EQ(FlatBodyFile::write(this->Path, this->flat()), "");
   const std::vector<char> whole = this->bytes();
   std::mt19937 random(11);
-  // Damage after the header (coordinates and forces), except in the unread padding between the
-  // arrays; and in the header at any byte before the offsets.
+  // Damages a byte after the header (coordinates and forces), but not in the padding between
+  // arrays, which is not read; then a byte of the header before the offsets.
   std::uniform_int_distribution<std::size_t> content(448, 448 + 24 * this->Ball.points.size() - 1);
   std::uniform_int_distribution<std::size_t> head(0, 63);
   for (int i = 0; i < 200; ++i)

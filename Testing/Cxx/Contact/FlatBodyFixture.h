@@ -16,7 +16,7 @@
 
 namespace palpate::testing
 {
-/// A ball with a different curve at each point, and a file for it.
+/// A ball with another curve at each point, and a file for it.
 class FlatBodyFixture : public ::testing::Test
 {
 protected:
@@ -56,7 +56,7 @@ protected:
     std::ofstream file(this->Path, std::ios::binary | std::ios::trunc);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
   }
-  /// Error when the file is opened; then no content is available.
+  /// Opens the file and returns its error. Requires that no content is available after an error.
   std::string openError() const
   {
     FlatBodyFile file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation and tilts in a body file, and the older formats, which have a shorter header.
+// Relaxation and tilts in a body file, and older formats, which have a shorter header.
 #include "Contact/FlatBodyFile.h"
 
 #include "FlatBodyFixture.h"
@@ -19,7 +19,7 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr std::size_t ChecksumAt = 24; // offsets of the header's numbers, see FlatBodyHeader.h
+constexpr std::size_t ChecksumAt = 24; // offsets of the numbers in the header, see FlatBodyHeader.h
 constexpr std::size_t EdgesAt = 416;
 constexpr std::size_t BranchesAt = 456;
 constexpr std::size_t TimesAt = 496;
@@ -56,7 +56,7 @@ protected:
     return body;
   }
 
-  /// Writes the checksum for this header and these sections: FNV-1a over words.
+  /// Writes the checksum (FNV-1a over words) for this header and these sections.
   void mend(
     std::vector<char>& file, std::size_t header, std::size_t branches, bool isCoupled = false) const
   {
@@ -120,7 +120,7 @@ protected:
   std::vector<float> Elastic;
 };
 
-/// Coupling on a layer, with all parts that may vary.
+/// Coupling on a layer, with all arrays that may vary from point to point.
 struct Coupled
 {
   explicit Coupled(std::size_t points)
@@ -191,8 +191,8 @@ TEST_F(FlatBodyFormatsTest, WithoutRelaxationThereIsNone)
   EXPECT_FALSE(read.areFelt());
 }
 
-// In an older file other data follow where the header is longer now. Here these data must not be
-// read.
+// An older file has a shorter header, and other data follow at the place of the new numbers. These
+// data must not be read as numbers of the header.
 TEST_F(FlatBodyFormatsTest, FormatsOfBeforeAreRead)
 {
   FlatBody body = this->flat();
@@ -266,7 +266,7 @@ TEST_F(FlatBodyFormatsTest, CouplingComesBackToTheBit)
   EXPECT_NE(makeContactBody(file.body())->coupling, nullptr);
 
   body.response.coupling = {};
-  body.response.coupling.modulus = 0.25; // of a half-space, which has no arrays
+  body.response.coupling.modulus = 0.25; // coupling on a half-space, which has no arrays
   ASSERT_EQ(FlatBodyFile::write(this->Path, body), "");
   ASSERT_EQ(file.open(this->Path), "");
   EXPECT_EQ(file.body().response.coupling.modulus, 0.25);
@@ -311,7 +311,7 @@ TEST_F(FlatBodyFormatsTest, WrongCouplingIsRefused)
 
 namespace
 {
-/// Two laws and their share at each point.
+/// Tilt laws: two laws and their weights at each point.
 struct Tilts
 {
   explicit Tilts(std::size_t points)

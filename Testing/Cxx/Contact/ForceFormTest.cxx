@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Equation 3 of Mahvash and Hayward 2002 adds unit normals of different directions, which makes the
-// force too small. Magnitude and direction that are blended separately do not have this error.
+// force too small. Blending magnitude and direction separately does not have this error.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -24,7 +24,7 @@ struct Facet
 {
   Vector3 centroid;
   Vector3 normal;
-  double squaredEdges; ///< sum
+  double squaredEdges; ///< sum over the three edges
 };
 
 Facet facetOf(const Surface& body, std::int32_t triangle)
@@ -58,30 +58,32 @@ TEST(ForceForm, LossAtTheCentreOfAFacet)
       // Normals are float32: 6e-8 each.
       EXPECT_NEAR(whole.normalForce, force, 1e-12 * force);
       EXPECT_NEAR(whole.force.norm(), force, 1e-12 * force);
-      // For three unit vectors from the centre to the corners of a triangle the length of their
+      // For three unit vectors from the centre to the corners of a triangle, the length of their
       // mean is √(1 - Σ edge²/9R²).
       const double kept = std::sqrt(1.0 - facet.squaredEdges / (9.0 * R * R));
       EXPECT_NEAR(paper.normalForce / whole.normalForce, kept, 2e-7);
       EXPECT_NEAR(paper.force.norm() / whole.force.norm(), kept, 2e-7);
-      // This is h²/(6R²) to first order; the next term is half its square.
+      // To first order the loss is h²/(6R²); the next term is half of the square of the loss.
       const double h2 = facet.squaredEdges / 3.0;
       const double first = h2 / (6.0 * R * R);
       EXPECT_NEAR(1.0 - paper.normalForce / whole.normalForce, first, first * first + 2e-7);
-      EXPECT_LE((paper.normal - whole.normal).norm(), 1e-12); // one law: the same direction
+      // with one law the direction is the same
+      EXPECT_LE((paper.normal - whole.normal).norm(), 1e-12);
     }
   }
 }
 
 TEST(ForceForm, AgreeAtAPoint)
 {
-  // Above a corner only its own normal counts.
+  // Above a corner only the normal of the corner counts.
   const Surface sphere = icosphere(20.0, 2);
   ResponseStore store(sphere.points.size());
   store.normalsFromPoints(sphere);
   const auto body = contactBody(sphere, store);
   for (std::size_t i = 0; i < sphere.points.size(); i += 7)
   {
-    // A tip under a convex corner is nearer to a facet; 2e-6 below, its projection is 1e-6 away.
+    // A tip below a convex corner is nearer to a facet. For a tip 2e-6 mm below the corner, the
+    // projection is about 1e-6 mm away from it.
     const Vector3 tip = sphere.points[i] * (1.0 - 1e-7);
     const auto whole = ToolContact(*body, { ForceForm::NormalizedDirection }).update(tip);
     const auto paper = ToolContact(*body, { ForceForm::Paper }).update(tip);
@@ -93,7 +95,8 @@ TEST(ForceForm, AgreeAtAPoint)
 
 TEST(ForceForm, DirectionsDifferWhenResponsesDo)
 {
-  // One stiff corner turns the paper's force towards its own normal, but not the blended normal.
+  // A corner with a larger stiffness turns the force of the paper towards its own normal, but not
+  // the blended normal.
   Surface sphere = icosphere(20.0, 1);
   ResponseStore store(sphere.points.size());
   store.normalsFromPoints(sphere);
@@ -111,13 +114,13 @@ TEST(ForceForm, DirectionsDifferWhenResponsesDo)
   const Vector3 towards = store.normalOf(stiff);
   EXPECT_GT(paper.normal.dot(towards), whole.normal.dot(towards) + 0.01);
   EXPECT_LE((whole.normal - facet.centroid.normalized()).norm(), 1e-2);
-  // (1+1+10)/3 times the single force.
+  // (1+1+10)/3 times the force of a single curve.
   ResponseStore single(1);
   EXPECT_NEAR(whole.normalForce, 4.0 * single.curveOf(0).evaluate(0.5).force, 1e-5);
 }
 
-/// On a fin whose vertex normals point away from its faces, and with normals that point inward, no
-/// form presses the tool into the body.
+/// No form presses the tool into the body, neither on a fin whose vertex normals point away from
+/// its faces, nor with normals that point inward.
 TEST(ForceForm, NoneIsDirectedIntoTheBody)
 {
   const Surface ball = icosphere(20.0, 1);
@@ -149,8 +152,8 @@ TEST(ForceForm, NoneIsDirectedIntoTheBody)
   }
 }
 
-/// The same beyond open borders, in concave places, and near edges: force · (contact point - tip)
-/// >= 0 along paths over open fans and rough bodies, whose curves differ from point to point.
+/// The same holds beyond open borders, in concave places and near edges: force · (contact point -
+/// tip) >= 0 along paths over open fans and rough bodies, whose curves differ from point to point.
 TEST(ForceForm, NoneLeadsAwayFromTheContactPoint)
 {
   std::mt19937 random(11);

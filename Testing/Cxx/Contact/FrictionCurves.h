@@ -14,7 +14,7 @@ namespace palpate::testing
 inline constexpr FrictionModel FrictionModels[] = { FrictionModel::ElastoPlastic,
   FrictionModel::Dahl, FrictionModel::ShapeDerived };
 
-/// Friction with a coefficient μ and a stiffness in N/mm; the rest is default.
+/// Settings with a coefficient μ and a stiffness in N/mm; the other settings have their defaults.
 inline FrictionSettings frictionOf(FrictionModel model, double coefficient, double stiffness)
 {
   FrictionSettings settings;
@@ -24,12 +24,12 @@ inline FrictionSettings frictionOf(FrictionModel model, double coefficient, doub
   return settings;
 }
 
-/// k δ^q, the response of flat, paraboloid and cone on a half-space, evaluated directly.
+/// k δ^q, the response of a flat end, a paraboloid and a cone on a half-space, without sampling.
 struct PowerCurve
 {
   double factor = 10.0;
   double exponent = 1.5;
-  double depth = 2.0; ///< range
+  double depth = 2.0; ///< range, mm
 
   ResponseValue evaluate(double deflection) const
   {
@@ -44,7 +44,7 @@ struct PowerCurve
   double range() const { return this->depth; }
 };
 
-/// The same stored in 8 samples, as in a body.
+/// The same curve stored in 8 samples, as in a body.
 class StoredCurve
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction in the loop: a mass on a plane, held by friction against a force that oscillates within
-// the limit, and the stiffness that a sampled loop can hold.
+// Friction in the servo loop: a mass on a plane, held by friction against a force that oscillates
+// within the limit, and the largest stiffness that a sampled loop can hold.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 
@@ -26,7 +26,7 @@ constexpr double Period = 1e-3; // s
 constexpr double NormalForce = 1.0;
 const PowerCurve Curve{ 1.0, 1.0, 2.0 }; // 1 N at 1 mm
 
-/// A free mass with damping b (N·s/m), moved exactly under a force held for one period.
+/// A free mass with damping b (N·s/m), moved exactly under a force that is constant over a period.
 class HeldMass
 {
 public:
@@ -57,9 +57,9 @@ double tangentialForce(Friction& friction, double x)
   return friction.update({ x, 0.0, 0.0 }, Vector3::UnitZ(), NormalForce, 1.0, Curve).force.x();
 }
 
-/// z_max = 1 mm under 1 N. Drift in mm of 0.1 kg in 8 s under 0.5 + 0.2 sin(2π 2 t) N, with a
-/// friction limit of 1 N: from the mean position of one cycle to that of another. Load and
-/// oscillation are raised slowly, so that no ringing remains.
+/// z_max = 1 mm under 1 N. Returns the drift in mm of 0.1 kg in 8 s under 0.5 + 0.2 sin(2π 2 t) N
+/// with a friction limit of 1 N: the difference between the mean positions of the last and the
+/// first cycle. Load and oscillation are raised slowly, so that no ringing remains.
 double drift(const FrictionSettings& settings, double damping)
 {
   Friction friction(settings);
@@ -89,11 +89,11 @@ double drift(const FrictionSettings& settings, double damping)
   return last - first;
 }
 
-/// ln of the growth of a stuck mass's amplitude in 200 s.
+/// ln of the growth of the amplitude of a sticking mass in 200 s.
 double growth(double stiffness, double damping)
 {
   FrictionSettings settings = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
-  settings.coefficient = 1e9; // never slides
+  settings.coefficient = 1e9; // large, so that the contact never slides
   settings.tangentialStiffness = 1e-3 * stiffness;
   Friction friction(settings);
   HeldMass mass(damping);
@@ -145,7 +145,8 @@ TEST(FrictionDrift, UnderASwingingLoad)
   {
     const double dahl = drift(frictionOf(FrictionModel::Dahl, 1.0, 1.0), damping);
     // 16 cycles of the closed form. Inertia and damping (0.006 and 0.008 N per N·s/m) change the
-    // oscillation of 0.2 N at the contact by 3 %, and the drift grows with its square.
+    // oscillation of 0.2 N at the contact by 3 %. The drift is proportional to the square of the
+    // oscillation.
     EXPECT_NEAR(dahl, 16.0 * 0.5790338738, 0.08 * 9.26) << damping;
 
     FrictionSettings eight = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
@@ -156,7 +157,8 @@ TEST(FrictionDrift, UnderASwingingLoad)
     eight.stickRadius = 0.5;
     EXPECT_GT(drift(eight, damping), 2.0);
 
-    // With default settings, and as stick and slide: no drift except for the remaining ringing.
+    // With the default settings, and with stick and slide, there is no drift except for the
+    // remaining ringing.
     EXPECT_LT(std::abs(drift(frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0), damping)), 1e-6);
     FrictionSettings hard = frictionOf(FrictionModel::ElastoPlastic, 1.0, 1.0);
     hard.breakaway = 1.0;
@@ -167,16 +169,16 @@ TEST(FrictionDrift, UnderASwingingLoad)
 
 TEST(FrictionDrift, ShapeDerivedStopsDrifting)
 {
-  // Masing's loops are closed: after the first loading there is no further drift.
+  // Masing's loops are closed, so there is no drift after the first loading.
   FrictionSettings settings = frictionOf(FrictionModel::ShapeDerived, 1.0, 1.0);
   EXPECT_LT(std::abs(drift(settings, 1.0)), 1e-3);
 }
 
 TEST(FrictionDrift, StickStiffnessLimit)
 {
-  // Limit for a mass with damping and a force held for a period (reference: the poles of the
-  // discrete loop): K = b(1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m); 2003.33889 N/m for b = 1 N·s/m.
-  // Passivity requires 2b/T = 2000.
+  // Limit for a mass with damping and a force that is constant over a period (reference: the poles
+  // of the discrete loop): K = b(1-e)/[(m/b)(1-e) - eT], e = exp(-bT/m), which is 2003.33889 N/m
+  // for b = 1 N·s/m. Passivity requires K <= 2b/T = 2000 N/m.
   const struct
   {
     double damping;
@@ -188,7 +190,8 @@ TEST(FrictionDrift, StickStiffnessLimit)
     const double e = std::exp(-one.damping * Period / Mass);
     EXPECT_TRUE(agrees(
       one.damping * (1.0 - e) / (Mass / one.damping * (1.0 - e) - e * Period), one.limit, 1e-9));
-    // The larger pole has magnitude² e + K/b (...), linear in K: growth per tick (K/K* - 1) bT/2m.
+    // The larger pole has the squared magnitude e + K/b (...), which is linear in K: the growth per
+    // tick is (K/K* - 1) bT/2m.
     for (const double share : { -2e-3, -1e-3, 1e-3, 2e-3 })
     {
       const double expected = share * 0.5 * one.damping * Period / Mass * 199000.0;

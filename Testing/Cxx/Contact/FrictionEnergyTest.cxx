@@ -26,13 +26,14 @@ struct PressedContact
 {
   Vector2 point;
   double depth;
-  double factor; ///< of the response at the point
+  double factor; ///< factor of the response at the point
 };
 using Path = std::function<PressedContact(double)>;
 /// Tangential force on the tool in a contact.
 using Answer = std::function<Vector2(const PressedContact&)>;
 
-/// The smallest and the final work, N mm, along the path from t = 0 to the end, by trapezoids.
+/// The smallest and the final work along the path from t = 0 to the end, N mm, by the trapezoidal
+/// rule.
 struct Work
 {
   double least = 0.0;
@@ -75,7 +76,7 @@ Answer answerOf(Friction& friction)
   };
 }
 
-/// Pre-sliding with σ₀ = μ f_n/z_max as in Hayward and Armstrong; stick and slide.
+/// Pre-sliding with σ₀ = μ f_n/z_max as in Hayward and Armstrong, with stick and slide.
 Answer proportionalStiffness(Vector2& z, Vector2& last)
 {
   return [&z, &last](const PressedContact& contact) -> Vector2
@@ -87,8 +88,8 @@ Answer proportionalStiffness(Vector2& z, Vector2& last)
   };
 }
 
-/// Point and depth, each a sum of three incommensurable oscillations, within `reach` mm and 0.05 …
-/// 1.95 mm.
+/// Each coordinate and the depth are sums of three incommensurable oscillations, within `reach` mm
+/// and between 0.05 and 1.95 mm.
 Path wandering(unsigned seed, double reach, double variation)
 {
   std::mt19937 random(seed);
@@ -113,8 +114,8 @@ Path wandering(unsigned seed, double reach, double variation)
   };
 }
 
-/// Push at a small depth, press, return at a large depth, lift: the cycle that gains most energy
-/// from a stiffness that grows with the normal force.
+/// The cycle that gains most energy from a stiffness proportional to the normal force: push at a
+/// small depth, press, return at a large depth, lift.
 Path pressAndReturn(double reach)
 {
   return [=](double t) -> PressedContact
@@ -143,8 +144,8 @@ TEST(FrictionEnergy, NeverGivenBackMoreThanTaken)
       Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work =
         workAlong(wandering(seed, reach, variation), 40.0, 40000, answerOf(friction));
-      // Trapezoids over a kink of the force have an error of σ₀ dx²/8 each, dx < 0.01 mm at worst:
-      // 4e-5 once. This is a part of the work of 10 N over a hundredth of a millimetre at the
+      // At a kink of the force the trapezoidal rule has an error of σ₀ dx²/8, with dx < 0.01 mm: at
+      // most 4e-5. This is a part of the work of 10 N over a hundredth of a millimetre at the
       // start.
       EXPECT_GE(work.least, -1e-5) << static_cast<int>(model) << ' ' << seed;
       EXPECT_GT(work.last, 0.0);
@@ -161,25 +162,25 @@ TEST(FrictionEnergy, PressAndReturn)
       Friction friction(frictionOf(model, 0.5, 5.0));
       const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, answerOf(friction));
       EXPECT_GE(work.least, -1e-9) << static_cast<int>(model) << ' ' << reach;
-      // Ten cycles. One more cycle from there dissipates energy too.
+      // After ten cycles one more cycle dissipates energy as well.
       const Work next = workAlong(pressAndReturn(reach), 4.0, 4000, answerOf(friction));
       EXPECT_GE(next.last, -1e-9) << static_cast<int>(model) << ' ' << reach;
     }
   }
-  // The fault that this test must find: ½ (μ/z_max) z² ΔF_n per cycle with a stiffness that follows
-  // the normal force.
+  // A stiffness proportional to the normal force gains ½ (μ/z_max) z² ΔF_n per cycle. This test
+  // must detect the gain.
   Vector2 z = Vector2::Zero();
   Vector2 last = Vector2::Zero();
   const double reach = 0.3;
   const Work work = workAlong(pressAndReturn(reach), 40.0, 40000, proportionalStiffness(z, last));
   const PowerCurve curve;
   const double gained = 0.5 * reach * reach * (curve.force(1.5) - curve.force(0.5));
-  EXPECT_NEAR(work.last, -10.0 * gained, 1e-5); // trapezoids over 1000 ticks
+  EXPECT_NEAR(work.last, -10.0 * gained, 1e-5); // trapezoidal rule with 1000 ticks per cycle
 }
 
 TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 {
-  // As long as the clip does not act, a constant stiffness stores and returns the same energy.
+  // As long as the limit is not reached, a constant stiffness stores and returns the same energy.
   Friction friction(frictionOf(FrictionModel::ElastoPlastic, 0.5, 5.0));
   const Work work = workAlong(pressAndReturn(0.2), 40.0, 4000, answerOf(friction));
   EXPECT_NEAR(work.last, 0.0, 1e-14);
@@ -188,7 +189,7 @@ TEST(FrictionEnergy, StuckUnderAChangingForceIsLossless)
 
 TEST(FrictionEnergy, ShapeDerivedInAStiffeningBody)
 {
-  // Out at a soft place, back at a stiff one, at constant depth and stuck throughout.
+  // Out where the response is soft, back where it is stiff, at constant depth and without sliding.
   const Path loop = [](double t) -> PressedContact
   {
     const Vector2 point(0.1 * std::sin(t) * std::cos(t), 0.1 * (1.0 - std::cos(t)));

@@ -30,8 +30,8 @@ double angleAbout(const Vector3& axis, const Vector3& a, const Vector3& b)
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-/// Rotation of a tangent vector that is transported once around a circle of latitude in n ticks, at
-/// a fixed point.
+/// Rotation of a tangent vector at a fixed point after the normal has moved once around a circle of
+/// latitude in n ticks.
 double turnAround(double colatitude, int n)
 {
   FrictionFrame frame;
@@ -54,17 +54,18 @@ TEST(FrictionFrame, AroundALatitudeCircleItTurnsByTheSolidAngle)
   {
     for (const int n : { 3, 7, 100, 5000 })
     {
-      // Ticks are arcs of great circles: a polygon of n triangles at the pole, with angles 2π/n, β,
-      // β and cot β = cos(colatitude) tan(π/n). The excess of its angles is its area.
+      // Ticks are arcs of great circles. They form a polygon of n triangles that meet at the pole,
+      // with the angles 2π/n, β, β and cot β = cos(colatitude) tan(π/n). The area of the polygon is
+      // the excess of its angles.
       const double cotangent = std::cos(colatitude) * std::tan(Pi / n);
       const double beta = 0.5 * Pi - std::atan(cotangent);
       const double area = 2.0 * Pi + n * (2.0 * beta - Pi);
-      // n roundings.
+      // Tolerance for n roundings.
       EXPECT_NEAR(
         std::remainder(turnAround(colatitude, n) - area, 2.0 * Pi), 0.0, 1e-15 * n + 1e-14)
         << colatitude << " in " << n;
     }
-    // The circle itself; the area of the polygon is smaller by 2π³/3 cos sin² / n² <= 8/n².
+    // The circle itself: the area of the polygon is smaller by 2π³/3 cos sin² / n² <= 8/n².
     const int n = 20000;
     EXPECT_NEAR(
       std::remainder(turnAround(colatitude, n) - 2.0 * Pi * (1.0 - std::cos(colatitude)), 2.0 * Pi),
@@ -105,7 +106,7 @@ TEST(FrictionFrame, GoingBackUndoes)
 TEST(FrictionFrame, DisplacementIsTheArc)
 {
   const double R = 20.0;
-  // The next term of the series is 5/112 sin⁶(φ/2); half of it is added for the rest.
+  // The next term of the series is 5/112 sin⁶(φ/2); half of it is added for the further terms.
   for (const double turn : { 1e-6, 0.01, 0.1, 0.3, 1.0, 0.5 * Pi })
   {
     FrictionFrame frame;
@@ -124,7 +125,8 @@ TEST(FrictionFrame, DisplacementIsTheArc)
       {
         first = displacement;
       }
-      // A great circle is straight: rounding of points, 4e-15 of R.
+      // On a great circle the displacement has a constant direction, to the rounding of points,
+      // 4e-15 of R.
       EXPECT_LE((displacement - first).norm(), 1e-13);
       EXPECT_LE((frame.toSpace(displacement.normalized()) - axis.cross(normal)).norm(),
         1e-14 / turn + 1e-13);
@@ -146,7 +148,8 @@ TEST(FrictionFrame, OnAPlaneItIsTheChord)
     chord -= chord.dot(normal) * normal;
     point += chord;
     frame.advance(point, normal);
-    EXPECT_LE((frame.toSpace(frame.step().displacement()) - chord).norm(), 2e-14); // of 20 mm
+    // rounding of coordinates of 20 mm
+    EXPECT_LE((frame.toSpace(frame.step().displacement()) - chord).norm(), 2e-14);
   }
 }
 
@@ -173,7 +176,7 @@ TEST(FrictionFrame, OppositeNormalsStartAnew)
     EXPECT_FALSE(frame.advance(Vector3::Zero(), Vector3::UnitZ()));
     const Vector3 normal(std::sin(angle), 0.0, std::cos(angle));
     const bool carried = frame.advance({ 1.0, 1.0, 0.0 }, normal);
-    EXPECT_EQ(carried, std::cos(angle) > -0.999); // 177.4 degrees
+    EXPECT_EQ(carried, std::cos(angle) > -0.999); // the limit is 177.4 degrees
     const Vector3 first = frame.toSpace({ 1.0, 0.0 });
     const Vector3 second = frame.toSpace({ 0.0, 1.0 });
     // Error of a division by 1 + cos >= 1e-3.
@@ -210,7 +213,7 @@ TEST(FrictionFrame, StaysAFrame)
   }
   const Vector3 first = frame.toSpace({ 1.0, 0.0 });
   const Vector3 second = frame.toSpace({ 0.0, 1.0 });
-  // Corrected in every tick: the rounding of one tick.
+  // The frame is corrected in every tick, so only the rounding of one tick remains.
   EXPECT_NEAR(first.norm(), 1.0, 2e-15);
   EXPECT_NEAR(second.norm(), 1.0, 2e-15);
   EXPECT_NEAR(first.dot(normal), 0.0, 2e-15);

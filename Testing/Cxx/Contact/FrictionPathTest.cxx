@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three friction models along given paths on a plane. The number of ticks does not matter. On a
-// circle they agree with their differential equations, which are integrated finely here.
+// The three friction models along given paths on a plane. The number of ticks has no effect on a
+// straight path. On a circle the forces agree with the models' differential equations, which are
+// integrated here in small steps.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
 #include "Sanitized.h"
@@ -22,7 +23,7 @@ using palpate::Vector3;
 
 namespace
 {
-/// A contact pressed 1 mm deep with 10 N: limit 5 N, z_max 2.5 mm; ShapeDerived slides at 0.75 mm.
+/// A contact at a depth of 1 mm with 10 N: limit 5 N, z_max 2.5 mm. ShapeDerived slides at 0.75 mm.
 class Slider
 {
 public:
@@ -67,8 +68,8 @@ Vector2 direction(double angle)
   return { std::cos(angle), std::sin(angle) };
 }
 
-/// Solves z' = rate(z, d) along the circle of radius rho from its lowest point, by Runge-Kutta. The
-/// clip reduces the order to one, hence the number of steps.
+/// Solves z' = rate(z, d) along the circle of radius rho from its lowest point, by Runge-Kutta.
+/// Many steps are needed because limiting |z| reduces the order to one.
 Vector2 onCircle(const std::function<Vector2(const Vector2&, const Vector2&)>& rate, double rho,
   double angle, int steps, bool clipped)
 {
@@ -108,8 +109,8 @@ TEST(FrictionPath, TheNumberOfTicksDoesNotMatterOnAStraightWay)
 {
   for (const FrictionModel model : FrictionModels)
   {
-    // Exact except for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8 z_max, measured
-    // error 2e-5.
+    // The result is exact, except for the creep of ElastoPlastic: Runge-Kutta in steps of 1/8
+    // z_max, with a measured error of 2e-5.
     const double tolerance = model == FrictionModel::ElastoPlastic ? 3e-5 * Limit : 1e-12;
     for (const double before : { 0.0, 0.4, 1.9, 2.2, 10.0 })
     {
@@ -154,7 +155,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
   EXPECT_TRUE(dahl.sliding());
 
   Slider shape(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
-  // μcδ = 0.75 at ν = 0.5. The first of the springs touches at 7e-4 mm instead of 0.
+  // μcδ = 0.75 at ν = 0.5. The first of the springs touches at 7e-4 mm, not at 0.
   shape.move({ 0.749, 0.0 }, 3);
   EXPECT_FALSE(shape.sliding());
   shape.move({ 0.001, 0.0 }, 1);
@@ -174,7 +175,7 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
     way += 0.2 / n / 6.0 * (slower(r) + 4.0 * slower(r + 0.1 / n) + slower(r + 0.2 / n));
   }
   Slider plastic(frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0));
-  // Runge-Kutta's 2e-5 of the force, at a slope of 1 - α = 0.24.
+  // Runge-Kutta has an error of 2e-5 of the force, at a slope of 1 - α = 0.24.
   plastic.move({ (way - 1e-4) * Longest, 0.0 }, 4);
   EXPECT_FALSE(plastic.sliding());
   plastic.move({ 2e-4 * Longest, 0.0 }, 1);
@@ -185,7 +186,8 @@ TEST(FrictionPath, SlidesWhenTheLimitIsReached)
 
 TEST(FrictionPath, StuckIsASpring)
 {
-  // Below breakaway (4 N), on any path back and forth: exactly σ₀, and no force at its start point.
+  // Below breakaway (4 N), on any path back and forth, the stiffness is exactly σ₀, and the force
+  // at the start point is zero.
   Slider slider(frictionOf(FrictionModel::ElastoPlastic, 0.5, 2.0));
   for (int i = 1; i < 400; ++i)
   {
@@ -198,7 +200,7 @@ TEST(FrictionPath, StuckIsASpring)
 
 TEST(FrictionPath, SlopeAtReversal)
 {
-  // Elastic for ElastoPlastic. For Dahl the stiffness is σ₀(1 + z/z_max) there, twice the stable
+  // At reversal ElastoPlastic is elastic. Dahl has the stiffness σ₀(1 + z/z_max), twice the stable
   // limit of the loop.
   const double h = 1e-6;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
@@ -207,7 +209,7 @@ TEST(FrictionPath, SlopeAtReversal)
     const double before = slider.move({ 100.0, 0.0 }, 10).x();
     const double after = slider.move({ -h, 0.0 }, 1).x();
     const double slope = model == FrictionModel::Dahl ? 4.0 : 2.0;
-    // Rounding of 100 mm over h; the second order of Dahl, h/z_max.
+    // Rounding of 100 mm divided by h, and for Dahl the second order, h/z_max.
     EXPECT_NEAR((after - before) / h, slope, 1e-6);
   }
 }
@@ -245,8 +247,8 @@ TEST(FrictionPath, CircleAgainstTheEquations)
         }
         errors[k] = (force - expected).norm();
       }
-      // Chords are shorter than arcs by φ²/24, and their directions differ by the same. The error
-      // of each tick decays over z_max. A tick in which the limit is reached adds 2e-5 of
+      // Chords are shorter than arcs by φ²/24, and their directions differ by the same amount. The
+      // error of a tick decays over z_max. A tick in which the limit is reached adds the 2e-5 of
       // Runge-Kutta.
       for (int k = 0; k < 3; ++k)
       {
@@ -257,8 +259,8 @@ TEST(FrictionPath, CircleAgainstTheEquations)
   }
 }
 
-// Sliding in a gentle curve while the limit rises and falls: the load differs in every tick.
-// Compared with the law above, integrated in pieces of 1e-4 mm.
+// Sliding along a slightly curved path while the limit rises and falls, so that the load differs in
+// every tick. Compared with the law above, integrated in steps of 1e-4 mm.
 TEST(FrictionPath, TheLoadChangesWhileItSlides)
 {
   for (const double stickRadius : { 0.85, 0.9, 1.3 })
@@ -273,7 +275,7 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
     for (int tick = 0; tick < 3000; ++tick)
     {
       const double longest = Longest * (1.0 + 0.3 * std::sin(0.005 * tick));
-      const double scale = Longest / longest; // the law is for z over Longest
+      const double scale = Longest / longest; // the law uses z / Longest
       const Vector2 along = direction(2e-4 * tick);
       const double length = 0.05;
       z *= scale;
@@ -289,7 +291,7 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
       worst = std::max(worst, (felt.force + 2.0 * z).norm() / (2.0 * longest));
       sliding += felt.sliding;
     }
-    // Relative to the limit. Euler's pieces are 4e-5 of it long.
+    // Relative to the limit. The steps of Euler's method are 4e-5 of z_max.
     EXPECT_LT(worst, 1e-4) << stickRadius;
     EXPECT_GT(sliding, 2000) << stickRadius;
   }
@@ -297,8 +299,8 @@ TEST(FrictionPath, TheLoadChangesWhileItSlides)
 
 TEST(FrictionPath, SteadyOnACircle)
 {
-  // Coulomb's force is against the direction of motion except for a lag: asin(z_max/ρ), as of a
-  // stone pulled on a string; atan(z_max/ρ) for Dahl, with a force of cos of it times the limit.
+  // The force is opposite to the direction of motion except for a lag: asin(z_max/ρ) as for a stone
+  // pulled on a string, or atan(z_max/ρ) for Dahl, whose force is cos(lag) times the limit.
   const double rho = 10.0;
   const int perTurn = 20000;
   for (const FrictionModel model : { FrictionModel::ElastoPlastic, FrictionModel::Dahl })
@@ -314,12 +316,12 @@ TEST(FrictionPath, SteadyOnACircle)
     const bool isDahl = model == FrictionModel::Dahl;
     const double lag = isDahl ? std::atan(Longest / rho) : std::asin(Longest / rho);
     const Vector2 expected = -Limit * (isDahl ? std::cos(lag) : 1.0) * direction(phi - lag);
-    EXPECT_LE((force - expected).norm(), 1e-6 * Limit); // the square of 3e-4, the turn per tick
+    EXPECT_LE((force - expected).norm(), 1e-6 * Limit); // square of the angle per tick, 3e-4
     EXPECT_TRUE(slider.sliding() || isDahl);
     EXPECT_NEAR(force.norm(), isDahl ? Limit * std::cos(lag) : Limit, 1e-6);
   }
-  // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ). The sum
-  // is Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
+  // Each spring of ShapeDerived lags by its own asin(limit/ρ), the longest by asin(0.75/ρ). The
+  // force is Σ limit_j (sin, cos) with the load density of f = 10 δ^1.5, by the midpoint rule.
   Slider slider(frictionOf(FrictionModel::ShapeDerived, 0.5, 2.0));
   Vector2 force = Vector2::Zero();
   double phi = 0.0;
@@ -336,8 +338,8 @@ TEST(FrictionPath, SteadyOnACircle)
     const double unloaded = 1.0 - root * root;
     expected -= 0.5 * 15.0 / n * unloaded * direction(phi - std::asin(0.75 * unloaded / rho));
   }
-  // The lag of the lumped springs: their limits within a cell differ by 1/64, an error of second
-  // order.
+  // Within a cell of lumped springs the limits differ by 1/64, which is an error of second order in
+  // the lag.
   EXPECT_LE((force - expected).norm(), 1e-5 * Limit);
   EXPECT_TRUE(slider.sliding());
 }

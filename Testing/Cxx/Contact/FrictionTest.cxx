@@ -217,8 +217,8 @@ TEST(Friction, OppositeNormalsEndTheHistory)
 
 TEST(Friction, IsCarriedOverACurvedBody)
 {
-  // Stuck at a fixed point while the normal moves once around a circle of latitude: the force turns
-  // by the solid angle, 2π(1 - cos), with the same magnitude.
+  // The contact sticks at a fixed point while the normal moves once around a circle of latitude.
+  // The force rotates by the solid angle, 2π(1 - cos), and keeps its magnitude.
   const double colatitude = 0.6;
   const int n = 40000;
   const auto normalAt = [&](int i)
@@ -240,15 +240,15 @@ TEST(Friction, IsCarriedOverACurvedBody)
     }
     const Vector3 turned =
       Eigen::AngleAxisd(2.0 * Pi * (1.0 - std::cos(colatitude)), normalAt(0)) * before;
-    // The polygon of n sides differs by at most 8/n²; plus rounding of n ticks.
+    // The polygon of n sides differs by at most 8/n²; rounding of n ticks is added.
     EXPECT_LE((after - turned).norm(), (8.0 / n / n + 1e-10) * before.norm());
   }
 }
 
 TEST(Friction, SlidesAroundASphere)
 {
-  // Along a circle of latitude, whose geodesic curvature is cot(colatitude)/R. On the surface it is
-  // a circle of radius R tan(colatitude), and the force lags as on a plane circle of that radius.
+  // A circle of latitude has the geodesic curvature cot(colatitude)/R. On the surface it is a
+  // circle of radius R tan(colatitude), and the force lags as on a plane circle of this radius.
   const double R = 20.0;
   const double colatitude = 0.5;
   const double rho = R * std::tan(colatitude);
@@ -271,8 +271,8 @@ TEST(Friction, SlidesAroundASphere)
     const bool isDahl = model == FrictionModel::Dahl;
     const double lag = isDahl ? std::atan(longest / rho) : std::asin(longest / rho);
     const double size = 0.5 * 10.0 * (isDahl ? std::cos(lag) : 1.0);
-    // Left of the motion is towards the pole, to which the path turns.
+    // The pole is to the left of the motion; the path turns towards it.
     const Vector3 expected = -size * (std::cos(lag) * along - std::sin(lag) * normal.cross(along));
-    EXPECT_LE((force - expected).norm(), 1e-6 * size); // the square of 3e-4, the turn per tick
+    EXPECT_LE((force - expected).norm(), 1e-6 * size); // square of the angle per tick, 3e-4
   }
 }

@@ -44,8 +44,8 @@ int stepsApart(const Cell& a, const Cell& b)
   return steps;
 }
 
-/// The keys of an aligned cube whose side is a power of two are consecutive, and each cell is next
-/// to the previous one.
+/// Expects that an aligned cube whose side is a power of two has consecutive keys, and that each
+/// cell is next to the previous one.
 void expectOneStretch(std::uint32_t side, const Cell& corner)
 {
   const auto cells = alongCurve(side, corner);
@@ -81,7 +81,7 @@ TEST(HilbertCurve, EveryAlignedCubeIsOneStretch)
 
 TEST(HilbertCurve, EndsAtTheFarEndOfOneAxis)
 {
-  // From one corner of the cube to an adjacent one: 2^48 cells.
+  // The curve leads from one corner of the cube of 2^48 cells to an adjacent corner.
   const std::uint32_t far = 65535;
   std::vector<std::uint64_t> keys;
   for (const Cell& corner : { Cell{ far, 0, 0 }, Cell{ 0, far, 0 }, Cell{ 0, 0, far },
@@ -91,6 +91,7 @@ TEST(HilbertCurve, EndsAtTheFarEndOfOneAxis)
   }
   EXPECT_EQ(hilbertKey({ 0, 0, 0 }), 0U);
   EXPECT_EQ(*std::max_element(keys.begin(), keys.end()), (std::uint64_t{ 1 } << 48) - 1);
-  EXPECT_LT(std::max_element(keys.begin(), keys.end()) - keys.begin(), 3); // on an axis
+  // one of the corners on an axis
+  EXPECT_LT(std::max_element(keys.begin(), keys.end()) - keys.begin(), 3);
 }
 } // namespace palpate

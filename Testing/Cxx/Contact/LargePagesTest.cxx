@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body's memory in large pages changes no result. It is visible only in /proc/self/smaps
-// (proc(5)).
+// Storing a body in large pages changes no result. The large pages can be seen only in
+// /proc/self/smaps (proc(5)).
 #include "BumpySphere.h"
 #include "Contact/LargePages.h"
 #include "Contact/PackedMesh.h"
@@ -48,8 +48,8 @@ namespace
 {
 constexpr std::size_t Page = std::size_t{ 1 } << 21;
 
-/// Bytes in large pages of the mapping that contains an address; -1 if the system does not report
-/// it.
+/// Bytes in large pages in the mapping that contains an address, or -1 if the system does not
+/// report it.
 double largeBytesAround(const void* address)
 {
   const auto place = reinterpret_cast<std::uintptr_t>(address);
@@ -73,7 +73,7 @@ double largeBytesAround(const void* address)
   return -1.0;
 }
 
-/// Bytes in large pages that the system gives for the plainest possible request.
+/// Bytes in large pages that the system gives for a plain request.
 double granted()
 {
   constexpr std::size_t bytes = 8 * Page;
@@ -100,7 +100,7 @@ std::string wordsOfTheSystem()
 
 TEST(LargePages, HoldABodyWhereTheSystemHasThem)
 {
-  // 204800 triangles use pages of their own; the arrays of 12800 triangles share pages.
+  // The arrays of 204800 triangles have their own pages; those of 12800 triangles share pages.
   for (const int cuts : { 160, 40 })
   {
     const Surface surface = bumpySphere(cuts);
@@ -125,10 +125,10 @@ TEST(LargePages, GoBackWhenNobodyIsLeft)
   for (int turn = 0; turn < 200; ++turn)
   {
     LargeVector<char> first(1500000, 'a');
-    LargeVector<char> second(1500000, 'b'); // a different page
+    LargeVector<char> second(1500000, 'b'); // needs a different page
     LargeVector<char> third(400000, 'c');
     first = LargeVector<char>();
   }
-  EXPECT_LT(residentMemory() - before, 2e7); // after 200 turns with two pages each
+  EXPECT_LT(residentMemory() - before, 2e7); // after 200 repetitions with two pages each
 }
 #endif // PALPATE_SANITIZED

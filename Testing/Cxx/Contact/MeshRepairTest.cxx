@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// A strip of `n` squares with its ends joined, with or without half a turn.
+/// A strip of `n` squares whose ends are joined, with half a twist if `twisted`.
 std::vector<TriangleCorners> band(std::int32_t n, bool twisted)
 {
   std::vector<TriangleCorners> triangles;
@@ -94,8 +94,8 @@ TEST(MeshRepair, TheFewerAreTurned)
 
 TEST(MeshRepair, MoreThanHalfTurnsTheRest)
 {
-  // A majority does not determine the outside: with 200 of 320 triangles turned the body is inside
-  // out, but consistent.
+  // The majority does not determine which side is outside: with 200 of 320 triangles reversed the
+  // result is consistent but inside out.
   const Surface body = icosphere(20.0, 2);
   std::vector<TriangleCorners> triangles = body.triangles;
   std::transform(triangles.begin(), triangles.begin() + 200, triangles.begin(), turned);
@@ -105,8 +105,8 @@ TEST(MeshRepair, MoreThanHalfTurnsTheRest)
 
 TEST(MeshRepair, EachPartByItself)
 {
-  // A box with one turned triangle, and another box that is inside out as a whole. The second is
-  // consistent and stays unchanged.
+  // A box with one reversed triangle, and a box of which all triangles are reversed. The second box
+  // is consistent and stays unchanged.
   Surface body = block(3, 4, 5);
   const std::size_t half = body.triangles.size();
   const auto shift = static_cast<std::int32_t>(body.points.size());
@@ -131,7 +131,8 @@ TEST(MeshRepair, AMoebiusBandIsLeftAlone)
   const std::vector<TriangleCorners> given = moebius;
   EXPECT_EQ(makeWindingConsistent(moebius), 0U);
   EXPECT_EQ(moebius, given);
-  // The same with one triangle turned: in a ring it is turned back, a twisted band stays unchanged.
+  // With one triangle reversed in both bands, it is reversed back in the ring, and the twisted band
+  // stays unchanged.
   ring[4] = turned(ring[4]);
   moebius[4] = turned(moebius[4]);
   EXPECT_EQ(makeWindingConsistent(ring), 1U);
@@ -167,7 +168,8 @@ TEST(MeshRepair, ASoupIsJoined)
 
 TEST(MeshRepair, OnlyBordersAreJoined)
 {
-  // Two closed boxes face to face share four positions, but each is complete.
+  // Two closed boxes with a face at the same place have four common positions, but each box is
+  // complete.
   Surface boxes = block(3, 4, 5);
   const Surface other = boxes;
   const auto shift = static_cast<std::int32_t>(boxes.points.size());
@@ -180,7 +182,8 @@ TEST(MeshRepair, OnlyBordersAreJoined)
     boxes.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
   }
   EXPECT_EQ(joined(twinsOf(boxes)), 0U);
-  // In a plate cut in two only the cut is joined. A point without a triangle is never joined.
+  // In a plate that is cut in two only the cut is joined. A point without a triangle is never
+  // joined.
   Surface halves = openPlate(10.0, 2);
   const auto middle = static_cast<std::int32_t>(halves.points.size());
   for (int j = 0; j <= 2; ++j)
@@ -189,7 +192,7 @@ TEST(MeshRepair, OnlyBordersAreJoined)
     halves.points.push_back(onCut);
   }
   const Vector3 onCut = halves.points[4];
-  halves.points.push_back(onCut); // of no triangle
+  halves.points.push_back(onCut); // a point of no triangle
   for (std::size_t t = 4; t < 8; ++t)
   {
     for (std::int32_t& corner : halves.triangles[t])
@@ -216,8 +219,8 @@ TEST(MeshRepair, PointsApartByLessThanAFloatAreOne)
 
 TEST(MeshRepair, EndsOfEmptyEdgesAreJoined)
 {
-  // Six points at two positions. Triangles without area connect 0 to 2 and 2 to 4, and 1 to 5.
-  // Nothing connects 3, nor 6, which is elsewhere.
+  // Six points at two positions. Triangles without area connect 0 to 2, 2 to 4, and 1 to 5. Point 3
+  // is not connected, nor is point 6, which is at another position.
   const std::vector<float> at{ 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0 };
   const std::vector<TriangleCorners> empty{ { 4, 2, 3 }, { 2, 0, 6 }, { 5, 1, 6 } };
   const auto joinAll = [&](std::vector<std::int32_t> first)
@@ -230,7 +233,7 @@ TEST(MeshRepair, EndsOfEmptyEdgesAreJoined)
     return first;
   };
   EXPECT_EQ(joinAll({ 0, 1, 2, 3, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 3, 0, 1, 6 }));
-  // In addition to the points joined before.
+  // Points that were joined before stay joined.
   EXPECT_EQ(joinAll({ 0, 1, 2, 1, 4, 5, 6 }), (std::vector<std::int32_t>{ 0, 1, 0, 1, 0, 1, 6 }));
 }
 } // namespace palpate::testing

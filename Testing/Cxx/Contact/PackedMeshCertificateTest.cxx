@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// If isCertainlyNearest returns true, no triangle that shares a corner is nearer: on bodies that
-// are bumpy, convex, saddle-shaped, notched, sharp, and crumpled.
+// If isCertainlyNearest() returns true, no triangle with a common corner is nearer: on bodies that
+// are bumpy, convex, saddle-shaped, notched, sharp and crumpled.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Sanitized.h"
@@ -15,7 +15,8 @@ namespace palpate::testing
 {
 namespace
 {
-/// A ball with points moved at random: spikes and pits, folds up to and beyond a right angle.
+/// A ball with points moved at random, which has spikes, pits, and folds up to and beyond a right
+/// angle.
 Surface crumpledBall(double roughness, unsigned seed)
 {
   Surface body = icosphere(20.0, 3);
@@ -32,10 +33,11 @@ struct Counts
 {
   int certified = 0;
   int wronglyCertified = 0;
-  int nearerAround = 0; ///< tips that are nearer to a triangle around
+  int nearerAround = 0; ///< number of tips that are nearer to a triangle around
 };
 
-/// Tips under random points of random faces, at depths from a thousandth of `deepest` to `deepest`.
+/// Counts tips below random points of random faces, at depths from a thousandth of `deepest` to
+/// `deepest`.
 Counts countCertificates(const Surface& given, double deepest, int tips)
 {
   const Surface body = given.rounded();
@@ -55,7 +57,7 @@ Counts countCertificates(const Surface& given, double deepest, int tips)
     const TriangleProjection projection = mesh.project(tip, triangle);
     if (projection.feature != TriangleFeature::Face)
     {
-      continue; // rounding at the rim of the face
+      continue; // the projection is at the rim of the face because of rounding
     }
     std::vector<std::int32_t> around;
     for (const std::int32_t corner : mesh.corners(triangle))
@@ -94,14 +96,14 @@ TEST(PackedMeshCertificate, IsNeverWrong)
     certified += counts.certified;
     nearerAround += counts.nearerAround;
   }
-  // The test needs enough cases: of 39000 tips, thousands of either kind.
+  // The test needs enough cases: of 39000 tips, thousands are of either kind.
   EXPECT_GT(certified, casesOf(5000));
   EXPECT_GT(nearerAround, casesOf(3000));
 }
 
 TEST(PackedMeshCertificate, WhereAllNeighboursRiseItNeedsNoMargin)
 {
-  // Nothing is under a face of a flat top: the smallest margin is enough at any depth.
+  // No surface is below a face of a flat top, so the smallest margin is enough at any depth.
   const PackedMesh mesh = openPlate(10.0, 4).packed();
   for (const double depth : { 1e-6, 1.0, 1e6 })
   {
@@ -119,9 +121,10 @@ TEST(PackedMeshCertificate, WhereAllNeighboursRiseItNeedsNoMargin)
 
 TEST(PackedMeshCertificate, MarginOfAConvexEdge)
 {
-  // Two facets that meet at a right angle: the other one is nearer if the foot is closer to the
-  // edge than the depth of the tip, m < d. Every corner of this block has a face at a right angle,
-  // whose slope under the first is unbounded. So the result is never certain, however far the edge.
+  // Two facets that meet at a right angle: the other facet is nearer if the distance m of the foot
+  // from the edge is less than the depth d of the tip. Every corner of this block has a face at a
+  // right angle, whose slope relative to the first face is unbounded, so the result is never
+  // certain, for any distance of the edge.
   const PackedMesh box = block(40, 40, 40).packed();
   const Vector3 tip(0.0, 1.0, 19.9);
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(box.triangleCount()); ++t)
@@ -129,8 +132,8 @@ TEST(PackedMeshCertificate, MarginOfAConvexEdge)
     const TriangleProjection projection = box.project(tip, t);
     EXPECT_FALSE(box.isCertainlyNearest(tip, t, projection));
   }
-  // A roof of slope 1 : 10 on either side: b = 2·0.1/(1 - 0.01), the tangent of the angle between
-  // its sides; certain from m = d b/2 on.
+  // A roof with a slope of 1 : 10 on either side: b = 2·0.1/(1 - 0.01) is the tangent of the angle
+  // between its sides. The result is certain from m = d b/2 on.
   Surface roof;
   roof.points = { { 0, -10, 0 }, { 0, 10, 0 }, { 10, 0, -1 }, { -10, 0, -1 } };
   roof.triangles = { { 1, 0, 2 }, { 0, 1, 3 } };

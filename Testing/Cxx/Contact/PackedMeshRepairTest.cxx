@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flipped, doubled, split, thin and folded triangles: defects are repaired or left out, and
-// counted. The rest gives the closest points, sides and normals of the sound body.
+// Reversed, duplicate, split, thin and folded triangles are repaired or left out, and counted. The
+// result has the closest points, sides and normals of the body without defects.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "Contact/TriangleTree.h"
@@ -35,8 +35,8 @@ std::size_t count(const PackedMesh::Defects& defects)
     defects.borderEdges + defects.turnedTriangles + defects.joinedPoints;
 }
 
-/// Expects the distances, sides and normals of the sound body at random tips in and around the
-/// body.
+/// Expects the distances, sides and normals of the body without defects at random tips in and
+/// around it.
 void expectSame(const PackedMesh& mended, const PackedMesh& sound, double reach)
 {
   const TriangleTree tree(mended);
@@ -48,13 +48,13 @@ void expectSame(const PackedMesh& mended, const PackedMesh& sound, double reach)
     const Vector3 tip = sound.centre() + Vector3(place(random), place(random), place(random));
     const SurfacePoint found = tree.closest(tip);
     const SurfacePoint expected = soundTree.closest(tip);
-    // The same coordinates, but corners in another order round differently.
+    // The coordinates are the same, but corners in another order cause other rounding.
     ASSERT_NEAR(found.signedDistance, expected.signedDistance, 1e-13 * reach);
     ASSERT_FALSE(found.onBorder);
   }
 }
 
-/// Expects the same unit normals by input point: float32, summed in another order.
+/// Expects the same unit normals at each input point. They are float32, summed in another order.
 void expectSameNormals(const PackedMesh& mended, const PackedMesh& sound)
 {
   std::vector<Vector3> expected(sound.pointCount());
@@ -102,9 +102,9 @@ TEST(PackedMeshRepair, ASoupIsJoined)
   const PackedMesh mended = apart.packed();
   EXPECT_EQ(mended.defects().joinedPoints, apart.points.size() - body.points.size());
   EXPECT_EQ(count(mended.defects()), mended.defects().joinedPoints);
-  EXPECT_EQ(mended.pointCount(), apart.points.size()); // each keeps its own response
+  EXPECT_EQ(mended.pointCount(), apart.points.size()); // each point keeps its own response
   expectSame(mended, sound, 25.0);
-  // Each point at a position is linked to all triangles around it.
+  // Each point at a position is linked to all triangles around this position.
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(mended.pointCount()); ++i)
   {
     int around = 0;
@@ -119,14 +119,14 @@ TEST(PackedMeshRepair, AShuffledSoupWithFlipsAndScraps)
   Surface apart = withFlips(triangleSoup(bumpySphere(20)), 300, 8);
   const std::size_t triangles = apart.triangles.size();
   const auto n = static_cast<std::int32_t>(apart.points.size());
-  apart.triangles.push_back({ 3, 4, 4 }); // a corner twice
+  apart.triangles.push_back({ 3, 4, 4 }); // the same corner twice
   apart.points.emplace_back(0, 0, std::nan(""));
-  apart.triangles.push_back({ 5, 6, n }); // not finite
+  apart.triangles.push_back({ 5, 6, n }); // a point that is not finite
   const PackedMesh sound = bumpySphere(20).packed();
   for (const unsigned seed : { 1U, 2U, 3U })
   {
     Surface mixed = shuffled(apart, seed);
-    mixed.triangles.push_back({ 0, n + 1, 1 }); // no such point
+    mixed.triangles.push_back({ 0, n + 1, 1 }); // an index without a point
     const PackedMesh mended = mixed.packed();
     EXPECT_EQ(mended.triangleCount(), triangles);
     EXPECT_EQ(mended.defects().turnedTriangles, 300U);
@@ -141,8 +141,8 @@ TEST(PackedMeshRepair, AShuffledSoupWithFlipsAndScraps)
 
 TEST(PackedMeshRepair, TheOrderOfTheInputDoesNotMatter)
 {
-  // 34 thousand triangles, built with all cores, in another order: the same neighbours and
-  // coordinates, and most neighbours near in memory.
+  // 34 thousand triangles in another order, built with all cores: the neighbours and coordinates
+  // are the same, and most neighbours are close in memory.
   const PackedMesh mesh = bumpySphere(65).packed();
   std::vector<std::int32_t> triangleOf;
   const PackedMesh other = shuffled(bumpySphere(65), 12, nullptr, &triangleOf).packed();
@@ -170,7 +170,7 @@ TEST(PackedMeshRepair, TheOrderOfTheInputDoesNotMatter)
       ASSERT_EQ(other.corner(t, (first + k) % 3), mesh.corner(same, k));
       ASSERT_EQ(
         given(other.neighbour(t, (first + k) % 3)), mesh.inputTriangle(mesh.neighbour(same, k)));
-      nearLinks += std::abs(other.neighbour(t, k) - t) <= 32; // 2 kB
+      nearLinks += std::abs(other.neighbour(t, k) - t) <= 32; // within 2 kB
     }
   }
   EXPECT_GT(nearLinks, 3 * mesh.triangleCount() * 3 / 4);
@@ -178,15 +178,15 @@ TEST(PackedMeshRepair, TheOrderOfTheInputDoesNotMatter)
 
 TEST(PackedMeshRepair, TrianglesWithoutAreaLeaveNoBorder)
 {
-  // A strip of triangles on one line along the equator, as from a mesher that joined two patches:
-  // between (0,0)-(10,0) above and (0,0)-(5,0)-(10,0) below.
+  // A triangle whose three corners are on one line, as from a mesh generator that joined two
+  // patches: (0,0)-(10,0) above, and (0,0)-(5,0)-(10,0) below.
   Surface seam;
   seam.points = { { 0, 0, 0 }, { 10, 0, 0 }, { 5, 8, 0 }, { 5, -8, 0 }, { 5, 0, 0 } };
   seam.triangles = { { 0, 1, 2 }, { 0, 3, 4 }, { 3, 1, 4 }, { 0, 4, 1 } };
   const PackedMesh mesh = seam.packed();
   EXPECT_EQ(mesh.triangleCount(), 3U);
   EXPECT_EQ(mesh.defects().degenerate, 1U);
-  EXPECT_EQ(mesh.defects().borderEdges, 4U); // the outline
+  EXPECT_EQ(mesh.defects().borderEdges, 4U); // the outer border
   EXPECT_EQ(mesh.defects().nonManifoldEdges, 0U);
   const TriangleTree tree(mesh);
   for (const double x : { 1.0, 5.0, 7.3 })
@@ -200,7 +200,7 @@ TEST(PackedMeshRepair, TrianglesWithoutAreaLeaveNoBorder)
 
 TEST(PackedMeshRepair, AreaLostInRoundingIsLeftOut)
 {
-  // A sliver 1e-7 mm high in a body 20 mm long has an area in double, but not in float32.
+  // A sliver 1e-7 mm high in a body 20 mm long has an area in double precision, but not in float32.
   Surface body = block(20, 20, 20);
   const auto n = static_cast<std::int32_t>(body.points.size());
   body.points.insert(body.points.end(), { { 30.1, 0, 0 }, { 30.3, 0, 0 }, { 30.2, 1e-7, 1e-7 } });
@@ -213,8 +213,8 @@ TEST(PackedMeshRepair, AreaLostInRoundingIsLeftOut)
 
 TEST(PackedMeshRepair, CoordinatesAreOffByHalfAnUlp)
 {
-  // The accuracy stated in the header: 2^-25 of the distance from the centre, rounded up to a power
-  // of two.
+  // The accuracy that the header states: 2^-25 of the distance from the centre, rounded up to a
+  // power of two.
   const Surface body = bumpySphere(20);
   const PackedMesh mesh = body.packed();
   double worst = 0.0;
@@ -228,6 +228,6 @@ TEST(PackedMeshRepair, CoordinatesAreOffByHalfAnUlp)
     }
   }
   EXPECT_LE(worst, 128.0 / (1 << 25)); // 3.8e-6 mm
-  EXPECT_GE(worst, 128.0 / (1 << 27)); // the bound is tight: of 4000 points some are near it
+  EXPECT_GE(worst, 128.0 / (1 << 27)); // the bound is tight: some of the 4000 points are near it
 }
 } // namespace palpate::testing

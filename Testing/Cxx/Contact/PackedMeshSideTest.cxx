@@ -26,7 +26,7 @@ Vector3 randomIn(std::mt19937& random, const Vector3& low, const Vector3& high)
   return p;
 }
 
-/// `side` returns > 0 inside, < 0 outside, 0 if unknown.
+/// Compares with `side`, which returns > 0 inside, < 0 outside, and 0 if unknown.
 void compareSides(const Surface& body, const Vector3& low, const Vector3& high, int tips,
   const std::function<int(const Vector3&)>& side)
 {
@@ -66,7 +66,7 @@ TEST(PackedMeshSide, Icosphere)
 {
   const double R = 20.0;
   const Surface body = icosphere(R, 2).rounded();
-  // The facets are between the radius and their sag below it, h²/8R = 0.6 for h <= 10.
+  // The facets are at most their sagitta inside the sphere: h²/8R = 0.6 for h <= 10.
   compareSides(body, Vector3::Constant(-25.0), Vector3::Constant(25.0), 20000,
     [&](const Vector3& tip) { return tip.norm() > R    ? -1
                                 : tip.norm() < R - 0.7 ? 1
@@ -117,7 +117,8 @@ TEST(PackedMeshSide, GrooveBlock)
 
 namespace
 {
-/// Tips 1e-6 from every point and from the middle of every edge, in random directions.
+/// Compares tips at a distance of 1e-6 from every point and from the middle of every edge, in
+/// random directions.
 void compareNextToEdgesAndCorners(const Surface& given)
 {
   const Surface body = given.rounded();
@@ -160,8 +161,8 @@ TEST(PackedMeshSide, RightNextToEdgesAndCorners)
 
 TEST(PackedMeshSide, RightNextToAKnifeEdge)
 {
-  // An edge of 11°, and the same as a notch: near such an edge the normal of one face alone is
-  // wrong for most tips.
+  // A body with an edge of 11°, and a body with a notch of this angle. Near such an edge the normal
+  // of one face alone is wrong for most tips.
   compareNextToEdgesAndCorners(prism({ { 0, 0 }, { 20, 0 }, { 20, 4 } }, { { 0, 1, 2 } }, 10.0));
   compareNextToEdgesAndCorners(
     prism({ { -10, -10 }, { 20, -10 }, { 20, 0 }, { 0, 0 }, { 20, 4 }, { 20, 14 }, { -10, 14 } },

@@ -81,7 +81,7 @@ TEST(LargePages, AreAlignedAndHoldWhatIsPut)
     const LargeVector<std::int32_t> copied = moved;
     EXPECT_EQ(copied.back(), static_cast<std::int32_t>(count) - 1);
     EXPECT_NE(place(copied), place(moved));
-    moved.resize(2 * count); // grows
+    moved.resize(2 * count); // the vector grows
     EXPECT_EQ(moved[count - 1], static_cast<std::int32_t>(count) - 1);
     EXPECT_EQ(place(moved) % 64, 0U);
   }

@@ -16,7 +16,7 @@
 namespace palpate::testing
 {
 /// A plate at z = 0, 60 mm wide, that relaxes. Its slow response is factor · δ^exponent (N, mm),
-/// optionally with a different factor at each point. The test owns its memory.
+/// optionally with another factor at each point. This object owns the memory of the arrays.
 struct RelaxingPlate
 {
   explicit RelaxingPlate(double exponent, const PronySeries& series, double range = 1.0,
@@ -57,7 +57,7 @@ struct RelaxingPlate
   double curveExponent;
 };
 
-/// A tip away from edges and corners of the plate's triangles.
+/// A tip that is not near edges and corners of the plate's triangles.
 inline Vector3 tipAt(double depth, double x = 31.3, double y = 29.1)
 {
   return { x, y, -depth };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The data contract: its codes as in saved files, its words and its names.
+// The data contract: its codes as in saved files, its texts and its names.
 #include "Contact/Contact.h"
 #include "Contact/ResponseContract.h"
 #include "Contact/TermTable.h"
@@ -134,7 +134,7 @@ TEST(ResponseContract, WidthsFollowSamplesAndLaws)
   EXPECT_EQ(componentsOf(contractOf(ResponseArray::TiltWeight), 8, 3, 2, 6, 5), 5);
 }
 
-// Texts from the time before model parts.
+// Texts from versions without model parts.
 TEST(ModelParts, OfOldTexts)
 {
   EXPECT_EQ(modelPartsOfText("half-space"), HalfSpacePart);

@@ -59,8 +59,8 @@ ContractCurve powerLaw(int n, double exponent, double range)
   return curve;
 }
 
-/// ∫F over [a, b] within one piece of the curve: Simpson's rule on 100 intervals of x = √δ. In x
-/// every piece is smooth except the power start.
+/// ∫F over [a, b] within one interval of the curve, by Simpson's rule on 100 intervals of x = √δ.
+/// In x every interval is smooth except the power law at the start.
 double quadrature(const ContractCurve& curve, double a, double b)
 {
   constexpr int intervals = 100;
@@ -87,13 +87,13 @@ TEST(ResponseEnergy, ClosedFormOfPowerLaws)
       for (double depth = 1e-7; depth < 2.0; depth *= 1.7)
       {
         const double expected = 10.0 * std::pow(depth, m + 1.0) / (m + 1.0);
-        // Integration by parts: n³/(p+4)… times rounding cancels in a cell, a share 1/i of the
-        // whole.
+        // Integration by parts cancels in a cell, which is 1/i of the whole: n³/(p+4)… times
+        // rounding.
         EXPECT_NEAR(energyOf(curve, depth), expected, 1e-11 * expected) << n << " " << m;
       }
       const double whole = 10.0 * std::pow(2.0, m + 1.0) / (m + 1.0);
       EXPECT_NEAR(energyOf(curve, 2.0), whole, 1e-11 * whole);
-      // Beyond the range, the tangent.
+      // Beyond the range the force is the tangent.
       const double force = 10.0 * std::pow(2.0, m);
       const double stiffness = 10.0 * m * std::pow(2.0, m - 1.0);
       EXPECT_NEAR(energyOf(curve, 2.7), whole + 0.7 * force + 0.245 * stiffness, 1e-11 * whole);
@@ -108,7 +108,7 @@ TEST(ResponseEnergy, QuadratureOfTheContract)
     for (const double m : { 1.0, 1.5, 1.8 })
     {
       const ContractCurve curve = anyCurve(n, m, static_cast<unsigned>(n));
-      // From the first sample on. The power start is a closed form, tested below.
+      // From the first sample on. The start is a closed form, which is tested below.
       const double first = curve.range / (n * n);
       double sum = 0.0;
       for (int i = 1; i < n; ++i)
@@ -118,7 +118,8 @@ TEST(ResponseEnergy, QuadratureOfTheContract)
         for (const double depth : { 0.7 * a + 0.3 * b, 0.01 * a + 0.99 * b, b })
         {
           const double expected = sum + quadrature(curve, a, depth);
-          // Simpson: (width/100)^4 of a fourth derivative of about 1e4 times the cell's values.
+          // Error of Simpson's rule: (width/100)^4 times a fourth derivative of about 1e4 times the
+          // values of the cell.
           EXPECT_NEAR(energyOf(curve, depth) - energyOf(curve, first), expected, 1e-7);
         }
         sum += quadrature(curve, a, b);
@@ -132,7 +133,7 @@ TEST(ResponseEnergy, QuadratureOfTheContract)
 
 TEST(ResponseEnergy, ItsSlopeIsTheForce)
 {
-  // Everywhere, also across the samples: there are no jumps.
+  // At all depths, also across samples: there are no jumps.
   const double e = 1e-5;
   for (unsigned seed = 1; seed < 6; ++seed)
   {
@@ -140,8 +141,9 @@ TEST(ResponseEnergy, ItsSlopeIsTheForce)
     for (double depth = 0.003; depth < 1.5 * curve.range; depth += 0.0113)
     {
       const double slope = (energyOf(curve, depth + e) - energyOf(curve, depth - e)) / (2.0 * e);
-      // e²/6 of the force's second derivative, < 1e4 N/mm² near the start. Where this derivative
-      // jumps, e times its jump: below 1e-6 N.
+      // Error of the difference: e²/6 times the second derivative of the force, which is < 1e4
+      // N/mm² near the start. Where this derivative jumps, the error is e times the jump: below
+      // 1e-6 N.
       EXPECT_NEAR(slope, curve.evaluate(depth).force, 1e-6 * (1.0 + slope));
     }
   }

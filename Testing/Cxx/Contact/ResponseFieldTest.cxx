@@ -21,7 +21,7 @@ using palpate::testing::ResponseStore;
 
 namespace
 {
-/// `points` responses in the compact form; they combine `laws` random curves.
+/// `points` responses in the compact form, which combine `laws` random curves.
 struct Compact
 {
   Compact(int laws, std::size_t points)
@@ -121,8 +121,8 @@ TEST(ResponseField, CompactFormAgreesWithPerPointForm)
       {
         const ResponseValue va = a.evaluate(i, depth);
         const ResponseValue vb = b.evaluate(i, depth);
-        // The expanded samples were rounded to float32 (6e-8). The interpolant amplifies that by up
-        // to 10, the stiffness by n² more.
+        // The expanded samples were rounded to float32 (6e-8). The interpolation multiplies this
+        // error by up to 10, and for the stiffness by n² more.
         EXPECT_NEAR(va.force, vb.force, 1e-6 * vb.force + 1e-9);
         EXPECT_NEAR(va.stiffness, vb.stiffness, 3e-5 * (1.0 + std::abs(vb.stiffness)));
         EXPECT_EQ(va.beyondRange, vb.beyondRange);
@@ -137,7 +137,7 @@ TEST(ResponseField, OneCoefficientForAllIsStoredOnce)
   compact.coefficient.assign(12, 0.75F);
   const ResponseField shared(compact.arrays());
   EXPECT_EQ(shared.memory(), 12u * 4 * sizeof(float));
-  compact.store.status[5] = 1; // no response: its coefficient has no effect
+  compact.store.status[5] = 1; // without a response its coefficient has no effect
   compact.coefficient[5] = 0.0F;
   EXPECT_EQ(ResponseField(compact.arrays()).memory(), 12u * 4 * sizeof(float));
   compact.store.status[5] = 0;
@@ -179,7 +179,7 @@ TEST(ResponseField, BlendedLawsAreTheBlendOfTheCurves)
           stiffness += weights[k] * value.stiffness;
         }
         const ResponseValue value = blend.evaluate(depth);
-        // The same sums in another order, through a cubic that amplifies rounding up to 100 times.
+        // The sums have another order, and a cubic polynomial multiplies rounding by up to 100.
         EXPECT_NEAR(value.force, force, 1e-13 * force);
         EXPECT_NEAR(value.stiffness, stiffness, 1e-12 * std::abs(stiffness));
         EXPECT_EQ(value.beyondRange, depth > 2.0);

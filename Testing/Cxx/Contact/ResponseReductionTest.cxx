@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reduced responses whose smallest number of values is known; errors against the contract's own
-// evaluation.
+// Reduced responses whose smallest number of values is known. Errors are computed with a separate
+// implementation of the contract.
 #include "Contact/Reduction/ResponseReduction.h"
 
 #include "SampleResponses.h"
@@ -25,8 +25,8 @@ using palpate::testing::ResponseStore;
 namespace
 {
 constexpr std::size_t Samples = 8;
-constexpr double Range = 2.0; // mm, of ResponseStore
-// The error of a float is 6e-8; a cubic between samples amplifies it by up to 10.
+constexpr double Range = 2.0; // range of ResponseStore, mm
+// A float has an error of 6e-8; a cubic polynomial between samples multiplies it by up to 10.
 constexpr double Storage = 1e-6;
 
 /// Force and stiffness of point p at depth δ.
@@ -76,7 +76,7 @@ ResponseStore powers(std::size_t points, int terms)
     });
 }
 
-/// The arrays with the curves of the reduced form.
+/// The arrays with the curves in the reduced form.
 ResponseArrays arraysOf(const ResponseStore& store, const ReducedResponse& reduced)
 {
   ResponseArrays arrays = store.arrays();
@@ -90,7 +90,7 @@ ResponseArrays arraysOf(const ResponseStore& store, const ReducedResponse& reduc
   return arrays;
 }
 
-/// The largest relative error at five times as many depths as the reduction checks.
+/// Largest relative error at five times as many depths as the reduction checks.
 double largestError(
   const ResponseStore& store, const ReducedResponse& reduced, std::size_t stride = 1)
 {
@@ -116,10 +116,10 @@ double largestError(
   return largest;
 }
 
-/// `tolerance` must hold at all depths, and the reported error must be that of brute force. Between
-/// the checked depths an error may be a tenth larger: a cubic's bump over two thirds of an
-/// interval, a parabola of half-width 1/3, is sampled at most 1/8 from its top. This misses 14 % at
-/// worst and usually half of that.
+/// Expects that `tolerance` holds at all depths and that the reported error is that of brute force.
+/// Between the checked depths an error may be larger: the bump of a cubic polynomial over two
+/// thirds of an interval, a parabola of half-width 1/3, is sampled at most 1/8 from its top, which
+/// misses 14 % at worst and usually half of this.
 void expectKept(const ResponseStore& store, const ReducedResponse& reduced, double tolerance)
 {
   const double found = largestError(store, reduced);
@@ -152,7 +152,7 @@ TEST(ResponseReduction, OneLawForAHomogeneousBody)
 
 TEST(ResponseReduction, OneLawWhereTheSpreadIsWithinTheTolerance)
 {
-  // 3 % above and below the law in the middle.
+  // Factors within 3 % of the middle law.
   const ResponseStore store = storeOf(61,
     [](std::size_t p, double depth)
     {
@@ -179,7 +179,7 @@ TEST(ResponseReduction, AsManyLawsAsTheCurvesAreMadeOf)
     EXPECT_EQ(reduced.laws, terms);
     EXPECT_EQ(reduced.numbersPerPoint, terms);
     expectKept(store, reduced, 10.0 * Storage); // sums of laws that nearly cancel
-    EXPECT_LT(reduced.largestSlopeError, 1e-4); // n times larger than the error of the force
+    EXPECT_LT(reduced.largestSlopeError, 1e-4); // n times as large as the error of the force
   }
 }
 
@@ -205,7 +205,7 @@ TEST(ResponseReduction, FewerSamplesWhereNoLawsAreAllowed)
   EXPECT_LT(reduced.samples, 8);
   EXPECT_EQ(reduced.numbersPerPoint, 2 * reduced.samples);
   expectKept(store, reduced, 0.02);
-  // One number fewer would not suffice.
+  // With half of the error allowed, more numbers are needed.
   EXPECT_GT(reduceResponse(store.arrays(), within(0.5 * reduced.largestError, 1)).numbersPerPoint,
     reduced.numbersPerPoint);
 }
@@ -262,8 +262,8 @@ TEST(ResponseReduction, ACompactResponseIsReducedFurther)
 
 TEST(ResponseReduction, ManyPoints)
 {
-  // With more than a few thousand points, forms are first tried on a part, and sums use several
-  // threads.
+  // With more than a few thousand points, forms are first tried on a part of the points, and sums
+  // use several threads.
   const ResponseStore store = powers(20000, 2);
   const ReducedResponse reduced = reduceResponse(store.arrays(), within(1e-5));
   EXPECT_EQ(reduced.laws, 2);

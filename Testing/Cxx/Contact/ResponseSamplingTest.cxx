@@ -75,7 +75,7 @@ TEST(ResponseSampling, ExactForItsOwnPower)
     {
       const double depth = 1e-3 * i * range;
       const ResponseValue value = sampling.evaluate(samples, range, depth);
-      // Only rounding of pow and of the interpolation.
+      // Tolerance: rounding of pow and of the interpolation.
       EXPECT_TRUE(agrees(value.force, 2.5 * std::pow(depth, exponent), 2e-15));
       EXPECT_TRUE(agrees(value.stiffness, 2.5 * exponent * std::pow(depth, exponent - 1.0), 2e-14));
       EXPECT_FALSE(value.beyondRange);
@@ -100,8 +100,8 @@ TEST(ResponseSampling, PassesThroughItsSamplesWithTheirSlopes)
       for (const double side : { 1.0 - 1e-12, 1.0, 1.0 + 1e-12 })
       {
         const ResponseValue value = sampling.evaluate(samples, range, side * knot);
-        // The depth is off by 1e-12: F changes by K δ 1e-12, K by F'' δ 1e-12 with F'' <= 50 n F/δ²
-        // here.
+        // The depth has an error of 1e-12. This changes F by K δ 1e-12, and K by F'' δ 1e-12 with
+        // F'' <= 50 n F/δ² here.
         EXPECT_NEAR(value.force, samples.force(i), 1e-10 * samples.forces.back());
         EXPECT_NEAR(value.stiffness, samples.stiffness(i), (steep ? 1e-6 : 1e-8) * n * n * scale);
       }
@@ -112,16 +112,16 @@ TEST(ResponseSampling, PassesThroughItsSamplesWithTheirSlopes)
 TEST(ResponseSampling, PowerStart)
 {
   const ResponseSampling sampling(4, 1.0);
-  const double range = 1.6; // first sample at 0.1
+  const double range = 1.6; // the first sample is at 0.1 mm
   ManySamples samples{ { 0.3, 1.0, 2.0, 4.0 }, { 6.0, 5.0, 5.0, 6.0 } };
-  // q = 6·0.1/0.3 = 2: F = 30 δ².
+  // q = 6·0.1/0.3 = 2, thus F = 30 δ².
   for (const double depth : { 1e-9, 1e-3, 0.05, 0.0999 })
   {
     const ResponseValue value = sampling.evaluate(samples, range, depth);
-    EXPECT_TRUE(agrees(value.force, 30.0 * depth * depth, 1e-14)); // q rounds: 1e-16 ln(1e8)
+    EXPECT_TRUE(agrees(value.force, 30.0 * depth * depth, 1e-14)); // q is rounded: 1e-16 ln(1e8)
     EXPECT_TRUE(agrees(value.stiffness, 60.0 * depth, 1e-14));
   }
-  samples.forces[0] = 0.0; // a curve that starts late
+  samples.forces[0] = 0.0; // a curve without force at the first sample
   EXPECT_EQ(sampling.evaluate(samples, range, 0.05).force, 0.0);
   EXPECT_EQ(sampling.evaluate(samples, range, 0.05).stiffness, 0.0);
 }
@@ -179,8 +179,8 @@ TEST(ResponseSampling, TheContractWrittenOutAgain)
       const double depth = share(random) * range;
       const ResponseValue value = sampling.evaluate(samples, range, depth);
       const ContractValue expected = contract.evaluate(depth);
-      // Interpolants oscillate between a few times the largest force (stiffness: times n²/δ_max);
-      // 1e-12 of that is rounding.
+      // Interpolants oscillate between a few times the largest force (stiffness: times n²/δ_max).
+      // The rounding is 1e-12 of this.
       const double force = samples.forces.back();
       EXPECT_NEAR(value.force, expected.force, 1e-12 * force);
       EXPECT_NEAR(value.stiffness, expected.stiffness,
@@ -209,8 +209,8 @@ TEST(ResponseSampling, StiffnessIsTheSlopeOfTheForce)
       const double slope = (8.0 * (force(depth + h) - force(depth - h)) -
                              (force(depth + 2.0 * h) - force(depth - 2.0 * h))) /
         (12.0 * h);
-      // Fourth order: truncation (h/δ)⁴ n⁴ F/δ = 1e-12, rounding 1e-16 F/h = 1e-12 F/δ, and in the
-      // power start with q up to 50 1e-16·50⁴.
+      // Differences of fourth order: truncation (h/δ)⁴ n⁴ F/δ = 1e-12, rounding 1e-16 F/h = 1e-12
+      // F/δ, and 1e-16·50⁴ in the power law at the start with q up to 50.
       EXPECT_NEAR(sampling.evaluate(samples, range, depth).stiffness, slope,
         1e-9 * (std::abs(slope) + samples.forces.back() / depth));
     }

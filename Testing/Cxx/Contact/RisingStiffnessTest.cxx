@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves whose stiffness is reported to rise over the whole range: closed forms, and random ones
+// Curves whose stiffness is reported to rise over the whole range: closed forms, and random curves
 // against a dense scan.
 #include "Contact/RisingStiffness.h"
 
@@ -99,7 +99,7 @@ TEST(RisingStiffness, OneSampleOfManyThatIsLessStiff)
 }
 
 // Sums of power laws with increasing disturbance. No curve with a falling stiffness is reported as
-// rising, and curves with hardly any disturbance are reported as rising.
+// rising. Curves with hardly any disturbance are reported as rising.
 TEST(RisingStiffness, RandomCurvesAgainstADenseWalk)
 {
   const ResponseSampling sampling(SampleCount, 1.5);
@@ -138,6 +138,6 @@ TEST(RisingStiffness, OfAFieldAllPointsCount)
   EXPECT_TRUE(ResponseField(store.arrays()).hasRisingStiffness());
   store.stiffness[8 * 3 + 5] *= 0.5F;
   EXPECT_FALSE(ResponseField(store.arrays()).hasRisingStiffness());
-  store.range[3] = 0.0F; // no response there
+  store.range[3] = 0.0F; // a point without a response
   EXPECT_TRUE(ResponseField(store.arrays()).hasRisingStiffness());
 }

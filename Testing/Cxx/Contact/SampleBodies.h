@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Triangulated bodies for the tests, wound outward. Lengths in mm.
+/// Triangulated bodies for the tests, with outward winding. Lengths in mm.
 namespace palpate::testing
 {
 struct Surface
@@ -21,8 +21,8 @@ struct Surface
 
   BodyMesh mesh() const;
   PackedMesh packed() const;
-  /// The surface with the coordinates that the PackedMesh stores. An exact reference must use
-  /// these.
+  /// The surface with the rounded coordinates that PackedMesh stores. An exact reference must use
+  /// these coordinates.
   Surface rounded() const;
   Vector3 corner(std::int32_t triangle, std::size_t k) const
   {
@@ -31,37 +31,39 @@ struct Surface
   }
 };
 
-/// Splits each triangle into four at the middles of its edges, `times` times.
+/// Splits each triangle into four at the middles of its edges, and repeats this `times` times.
 Surface subdivided(Surface body, int times);
 
-/// Sphere of 20·4^times triangles about the origin, its points on the radius. Convex.
+/// A convex sphere of 20·4^times triangles around the origin. Its points are at the distance
+/// `radius`.
 Surface icosphere(double radius, int times);
 
-/// Torus about the z axis. Not convex; a hole through it.
+/// A torus around the z axis, which is not convex.
 Surface torus(double majorRadius, double minorRadius, int around, int across);
 
-/// Prism over a polygon (x, y counter-clockwise) from z = 0 to `height`; `caps` are triangles of
+/// A prism over a polygon (x, y counter-clockwise) from z = 0 to `height`. `caps` are triangles of
 /// the polygon's corners, counter-clockwise.
 Surface prism(const std::vector<Eigen::Vector2d>& polygon,
   const std::vector<std::array<std::int32_t, 3>>& caps, double height);
 
-/// [0,x]×[0,y]×[0,z].
+/// The block [0,x]×[0,y]×[0,z].
 Surface block(double x, double y, double z);
 
-/// An L: [0,20]×[0,20] without (8,20]×(8,20], 10 high. One concave edge, at x = y = 8.
+/// A body with the cross-section of an L: [0,20]×[0,20] without (8,20]×(8,20], 10 mm high. It has
+/// one concave edge, at x = y = 8.
 Surface angleBlock();
 
-/// A block [-20,20]×[0,10], 40 long in z, with a V groove from (-5,10) down to (0,5): its walls
-/// slope by 45°, so that the groove is a right angle open towards +y.
+/// A block [-20,20]×[0,10], 40 mm long in z, with a V groove from (-5,10) down to (0,5). The walls
+/// of the groove slope by 45°, so that they form a right angle open towards +y.
 Surface grooveBlock();
 
 /// The body with separate corners for each triangle, as in an STL file.
 Surface triangleSoup(const Surface& body);
 
-/// Two bodies, the second one moved by `by`; they share no points.
+/// Two bodies without common points, the second one moved by `by`.
 Surface together(Surface one, const Surface& other, const Vector3& by);
 
-/// Open plate [0,size]² at z = 0 with normals along +z.
+/// An open plate [0,size]² at z = 0 with the normal +z.
 Surface openPlate(double size, int cells);
 } // namespace palpate::testing
 

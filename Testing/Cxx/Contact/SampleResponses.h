@@ -20,17 +20,17 @@ struct ContactBody;
 namespace palpate::testing
 {
 /**
- * Response arrays of a body, owned by the test: 8 samples, exponent 1.5. Initially the same law F =
- * 10 δ^1.5 (N, mm) up to 2 mm at every point, with normals along z.
+ * Response arrays of a body with 8 samples and the exponent 1.5; this object owns them. Initially
+ * every point has the law F = 10 δ^1.5 (N, mm) up to 2 mm and the normal +z.
  */
 struct ResponseStore
 {
   explicit ResponseStore(std::size_t points);
-  /// Radial normals, for spheres about the origin.
+  /// Sets radial normals, for spheres around the origin.
   void normalsFromPoints(const Surface& body);
-  /// A random monotone curve, range (1 … 2 mm) and normal for each point.
+  /// Sets a random monotone curve, range (1 … 2 mm) and normal for each point.
   void randomize(unsigned seed);
-  /// Like randomize, but keeps the normals.
+  /// As randomize(), but keeps the normals.
   void randomizeCurves(unsigned seed);
 
   ResponseArrays arrays() const;
@@ -48,13 +48,13 @@ struct ResponseStore
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseArrays& responses);
 std::unique_ptr<ContactBody> contactBody(const Surface& surface, const ResponseStore& store);
 
-/// Every force form on every surface, without friction.
+/// Settings with every combination of force form and contact surface, without friction.
 std::vector<ContactSettings> allFormsAndSurfaces();
 
-/// Edge law for a sphere of 5 mm, which has the law of a ResponseStore. ν is 0.45.
+/// Edge law for a sphere of 5 mm, which has the curve of a ResponseStore, at ν = 0.45.
 EdgeTerms sphereOverEdges();
 
-/// The surface with F = 10 δ^1.5 everywhere and with its own point normals.
+/// A body with F = 10 δ^1.5 everywhere and the point normals of the surface's mesh.
 std::unique_ptr<ContactBody> uniformBody(const Surface& surface, const EdgeTerms& edges = {});
 
 /// Copies the point normals of the surface's mesh to the store.

@@ -10,17 +10,18 @@
 
 namespace palpate::testing
 {
-/// The numbers of a TiltTable made from functions, owned by the test.
+/// The numbers of a TiltTable made from functions. This object owns them.
 struct TiltStore
 {
   using Factor = std::function<double(double depth, double angle)>;
   using Drop = std::function<double(double angle)>;
 
-  /// y = θ/θ_m: a table for tools without a flat end, with one law per factor.
+  /// A table for tools without a flat end, with y = θ/θ_m as coordinate and one law per factor.
   TiltStore(const std::vector<Factor>& factors, const Drop& drop, double range, double largest)
   {
     constexpr int count = 17;
-    constexpr double step = 1e-5; // of central differences: 1e-10 of the third derivative
+    // central differences have an error of 1e-10 times the third derivative
+    constexpr double step = 1e-5;
     TiltTerms& terms = this->views.terms;
     terms = { range, largest, 0.0, count, count, count, static_cast<int>(factors.size()) };
     const auto slope = [](const auto& f, double at)
@@ -59,7 +60,7 @@ struct TiltStore
   TiltViews views;
 };
 
-/// A sphere: a tilt about its tip only moves its deepest point.
+/// Drop of a sphere, whose tilt about the tip only moves its deepest point.
 inline TiltStore::Drop dropOfSphere(double radius)
 {
   return [radius](double angle) { return radius * (1.0 - std::cos(angle)); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings given as text: every range is checked at both ends, and a fault names the wrong setting.
+// Settings given as text: every range is checked at both ends, and a fault names the invalid
+// setting.
 #include "Contact/SettingTable.h"
 #include "Mechanics/Numerics/Constants.h"
 

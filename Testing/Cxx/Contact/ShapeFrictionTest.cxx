@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction from the stored response, against the closed form of similar normal and tangential
+// Friction from the stored response, against the closed form for similar normal and tangential
 // contact, Masing's rule, and thousands of springs.
 #include "Contact/Friction.h"
 #include "FrictionCurves.h"
@@ -41,7 +41,7 @@ double complianceRatio(double poisson)
   return (2.0 - poisson) / (2.0 * (1.0 - poisson));
 }
 
-/// μ [f(δ) - f(δ - u/(μc))].
+/// Q(u) = μ [f(δ) - f(δ - u/(μc))].
 double closedForm(const PowerCurve& curve, double mu, double c, double depth, double u)
 {
   return mu * (curve.force(depth) - curve.force(depth - u / (mu * c)));
@@ -57,7 +57,7 @@ PowerCurve toolOf(const std::string& name)
   return tools.at(name);
 }
 
-/// Largest error of Q over μ f_n, at a depth of `share` of the range.
+/// Largest error of Q / (μ f_n) at a depth of `share` times the range.
 double largestError(const PowerCurve& tool, double share)
 {
   const double depth = share * tool.depth;
@@ -96,9 +96,9 @@ TEST(ShapeFriction, PreSlidingOfTheReferenceTable)
       friction.update(Vector2::Zero(), force, depth, stored);
       const TangentialForce result =
         friction.update({ table.number(row, "u_t"), 0.0 }, force, depth, stored);
-      // 64 springs if the depth is the range, half of them at a quarter of it: 2.5e-4 and 9e-4 of μ
-      // f_n, see ErrorByDepth. A flat is one spring. Sliding does not depend on the number of
-      // springs.
+      // If the depth is the range there are 64 springs, at a quarter of the range half of them:
+      // errors of 2.5e-4 and 9e-4 of μ f_n, see ErrorByDepth. A flat end is one spring. Sliding
+      // does not depend on the number of springs.
       const bool exact = tool.exponent == 1.0 || row % 4 == 3;
       const double tolerance = exact ? 1e-12 : (range > 1.0 ? 9e-4 : range > depth ? 4e-4 : 2.5e-4);
       EXPECT_NEAR(-result.force.x(), expected, tolerance * mu * force)
@@ -110,10 +110,10 @@ TEST(ShapeFriction, PreSlidingOfTheReferenceTable)
 
 TEST(ShapeFriction, ErrorByDepth)
 {
-  // One spring of stiffness k for all springs in a cell of width w has an error of f'' w²/8. With 4
-  // springs in each of the 16 cells range·(j/16)² the error falls with the square of the depth over
-  // the range. Measured. A chord of the curve would give the cone (2/64)² = 1e-3 of f at the full
-  // range.
+  // One spring of stiffness k in place of all springs in a cell of width w has an error of f''
+  // w²/8. With 4 springs in each of the 16 cells range·(j/16)² the error falls with the square of
+  // depth / range. The bounds are measured. A chord of the curve would have an error of (2/64)² =
+  // 1e-3 of f for the cone at the full range.
   const PowerCurve sphere = toolOf("sphere6.35");
   const PowerCurve cone = toolOf("cone60");
   const struct
@@ -149,18 +149,19 @@ TEST(ShapeFriction, MasingLoop)
   }
   for (int i = 1; i <= 100; ++i)
   {
-    // Twice the virgin curve of the same springs, except for rounding.
+    // The force of the loop is twice the first-loading curve of the same springs, except for
+    // rounding.
     const double Q = -friction.update(-step, force, depth, stored).force.x();
     if (i % 2 == 0)
     {
       EXPECT_NEAR(Q, virgin[50] - 2.0 * virgin[static_cast<std::size_t>(i / 2)], 1e-13 * force);
     }
     const double u = 0.5 * um * i / 50.0;
-    // Twice 1.2e-4 of the virgin curve.
+    // Twice the error of the first-loading curve, 1.2e-4.
     EXPECT_NEAR(Q, closedForm(tool, mu, c, depth, um) - 2.0 * closedForm(tool, mu, c, depth, u),
       3.6e-4 * mu * force);
   }
-  // Reloading closes the loop and continues along the virgin curve.
+  // Reloading closes the loop and continues along the first-loading curve.
   double Q = 0.0;
   for (int i = 0; i < 100; ++i)
   {
@@ -175,7 +176,8 @@ TEST(ShapeFriction, MasingLoop)
 
 TEST(ShapeFriction, EnergyOfALoopIsTheClosedForm)
 {
-  // For a displacement ±um at constant depth, with Q(u) the virgin curve: ∮ = 8 ∫Q - 4 um Q(um).
+  // For a displacement ±um at constant depth, with the first-loading curve Q(u): ∮ = 8 ∫Q - 4 um
+  // Q(um).
   const PowerCurve tool = toolOf("cone60");
   const StoredCurve stored(tool);
   const double mu = 0.5;
@@ -202,7 +204,8 @@ TEST(ShapeFriction, EnergyOfALoopIsTheClosedForm)
     mu * k * (depth * depth * um - mu * c / 3.0 * (depth * depth * depth - rest * rest * rest));
   const double expected = 8.0 * integral - 4.0 * um * closedForm(tool, mu, c, depth, um);
   EXPECT_GT(expected, 0.0);
-  EXPECT_TRUE(agrees(work, expected, 2e-3)); // four times the 2e-4 of Q, on a small difference
+  // four times the error 2e-4 of Q, on a small difference
+  EXPECT_TRUE(agrees(work, expected, 2e-3));
 }
 
 TEST(ShapeFriction, CarriesTheLoadAtAnyDepth)
@@ -233,28 +236,29 @@ TEST(ShapeFriction, SpringsComeAndGoWithTheDepth)
   ShapeFriction friction(settingsOf(0.5, 0.5));
   press(friction, 0.0, 0.5);
   const double loaded = press(friction, 0.1, 0.5);
-  // Deeper without a displacement: the new springs have none, the old ones keep theirs.
+  // At a larger depth without displacement the new springs have no force, and the old springs keep
+  // theirs.
   double deeper = 0.0;
   for (int i = 1; i <= 1000; ++i)
   {
     deeper = press(friction, 0.0, 0.5 + 1e-3 * i);
   }
   EXPECT_NEAR(deeper, loaded, 1e-12); // 1000 roundings
-  // Back up: the new springs leave without a load. The limits of the others shrink as before, so
-  // nothing is lost down to 0.5.
+  // Back at the first depth the new springs lose contact without a force. The limits of the other
+  // springs decrease as before, so no force is lost down to 0.5 mm.
   EXPECT_NEAR(press(friction, 0.0, 0.5), loaded, 1e-3 * loaded);
-  // Up until it slides, with μ f(δ), and out.
+  // Up until the contact slides, with μ f(δ), and then outside.
   const double shallow = press(friction, 0.0, 0.05);
   EXPECT_NEAR(shallow, 0.5 * stored.evaluate(0.05).force, 1e-14);
   EXPECT_EQ(press(friction, 0.0, 0.0), 0.0);
-  // The lost force does not return.
+  // After the contact has ended, the tangential force is zero.
   EXPECT_EQ(press(friction, 0.0, 1.0), 0.0);
 }
 
 TEST(ShapeFriction, LikeThousandsOfSprings)
 {
-  // The method of dimensionality reduction itself: 1000 springs of 7.5 η^-½ dη that touch from
-  // their levels η on, along paths that turn while the depth oscillates.
+  // Reference by the method of dimensionality reduction: 1000 springs of 7.5 η^-½ dη that touch at
+  // the depths η, along curved paths with an oscillating depth.
   const PowerCurve curve;
   const StoredCurve stored(curve);
   const double mu = 0.5;
@@ -274,7 +278,7 @@ TEST(ShapeFriction, LikeThousandsOfSprings)
       Vector2 expected = Vector2::Zero();
       for (int j = 0; j < n; ++j)
       {
-        const double root = std::sqrt(2.0) * (j + 0.5) / n; // √η up to 2 mm
+        const double root = std::sqrt(2.0) * (j + 0.5) / n; // √η, up to a depth of 2 mm
         const double limit = mu * c * (depth - root * root);
         Vector2& own = u[static_cast<std::size_t>(j)];
         if (limit <= 0.0)
@@ -292,16 +296,16 @@ TEST(ShapeFriction, LikeThousandsOfSprings)
       EXPECT_LE(result.force.norm(), mu * force * (1.0 + 1e-14));
       last = point;
     }
-    // Relative to the limit at 1 mm: measured 1.3e-3 to 1.5e-3, and 6.7e-3 if the depth oscillates
-    // from 0.1 to 1.9 mm. All springs that touch and leave within the last cell (1 % of the force)
-    // are one spring. Twice the number of cells halves the error.
+    // Relative to the limit at 1 mm, 1.3e-3 to 1.5e-3 were measured, and 6.7e-3 if the depth
+    // oscillates from 0.1 to 1.9 mm. All springs that touch and leave within the last cell (1 % of
+    // the force) are one spring. Twice the number of cells halves the error.
     EXPECT_LE(largest, path < 3 ? 2e-3 : 8e-3) << path;
   }
 }
 
 TEST(ShapeFriction, AStiffnessThatOverflowsGivesNoForce)
 {
-  // A depth of 1.8e-310 mm under 3480 N: the force is finite, the stiffness times the load is not.
+  // A depth of 1.8e-310 mm under 3480 N: the force is finite, but stiffness times load is not.
   const PowerCurve steep{ 1.0, 1.0, 2e-310 };
   ShapeFriction friction(settingsOf(0.5, 0.5));
   for (int i = 0; i < 3; ++i)
@@ -309,7 +313,7 @@ TEST(ShapeFriction, AStiffnessThatOverflowsGivesNoForce)
     const TangentialForce result = friction.update({ 0.1, 0.0 }, 3480.0, 1.8e-310, steep);
     EXPECT_TRUE(result.force.isZero(0.0)) << result.force.transpose();
   }
-  // The history goes on with the next contact.
+  // The history continues with the next contact.
   friction.update(Vector2::Zero(), 10.0, 1.0, PowerCurve{});
   EXPECT_TRUE(
     agrees(-friction.update({ 10.0, 0.0 }, 10.0, 1.0, PowerCurve{}).force.x(), 0.5 * 10.0, 1e-14));
@@ -317,7 +321,8 @@ TEST(ShapeFriction, AStiffnessThatOverflowsGivesNoForce)
 
 TEST(ShapeFriction, ResponsesThatAreNotConvex)
 {
-  // Falling stiffness: no springs there, the others carry the load, and the limit holds.
+  // Where the stiffness falls there are no springs. The other springs carry the load, and the limit
+  // holds.
   struct Bent
   {
     palpate::ResponseValue evaluate(double d) const

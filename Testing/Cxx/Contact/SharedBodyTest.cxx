@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One body, many threads: each ToolContact gives the same bits as alone.
+// Several threads use one body: each ToolContact gives the same bits as alone.
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
 
@@ -21,7 +21,7 @@ namespace
 {
 constexpr int Ticks = 3000;
 
-/// In and out of a torus, on a different path for each tool.
+/// A path in and out of a torus, different for each tool.
 Vector3 pathOf(int tool, int tick)
 {
   const double t = tick * 1e-3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closest point of the smooth surface: found, followed, continuous, differentiated, rejected.
+// The closest point of the smooth surface: its search, its continuity, its derivatives, and cases
+// without a point.
 #include "Contact/ContactBody.h"
 #include "Contact/ContactTracker.h"
 #include "Contact/SmoothContact.h"
@@ -29,7 +30,8 @@ using palpate::Vector3;
 namespace
 {
 
-/// A torus with very unequal triangles and randomly moved points: not convex, no symmetry.
+/// A torus with unequal triangles and randomly moved points, which is not convex and has no
+/// symmetry.
 std::unique_ptr<ContactBody> crookedBody()
 {
   Surface body = torus(20.0, 8.0, 25, 11);
@@ -59,7 +61,7 @@ SmoothPoint onset(const ContactBody& body, SmoothContact& contact, const Vector3
   return contact.follow(tip, near.triangle, near.projection.weights);
 }
 
-/// The smallest distance of a tip from a dense cloud of points on the patches within two rings of a
+/// Smallest distance of a tip from a dense set of points on the patches within two rings of a
 /// triangle.
 double cloudDistance(const ContactBody& body, const Vector3& tip, std::int32_t triangle)
 {
@@ -89,7 +91,7 @@ double cloudDistance(const ContactBody& body, const Vector3& tip, std::int32_t t
   return least;
 }
 
-/// A tip at random under or over a random facet of the body.
+/// A random tip below or above a random facet of the body.
 struct Start
 {
   std::int32_t triangle;
@@ -122,7 +124,7 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
   int found = 0;
   for (int i = 0; i < casesOf(400); ++i)
   {
-    const double depth = i % 4 - 1.0; // -1 outside, 0, 1, 2 mm inside
+    const double depth = i % 4 - 1.0; // -1 (outside), 0, 1 or 2 mm (inside)
     const Start start = anyStart(*body, random, depth);
     const SmoothPoint point = contact.follow(start.tip, start.triangle, start.weights);
     ASSERT_EQ(point.outcome, SmoothPoint::Outcome::Found) << i;
@@ -131,10 +133,11 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
     EXPECT_GE(place.projection.weights.minCoeff(), 0.0);
     EXPECT_NEAR(place.projection.weights.sum(), 1.0, 1e-15);
     EXPECT_NEAR(place.normal.norm(), 1.0, 1e-15);
-    // Newton's last step is below 1e-6 of a triangle 5 mm wide; the error is the square of it.
+    // Newton's last step is below 1e-6 of a triangle 5 mm wide. The error is the square of this.
     const Vector3 offset = start.tip - place.projection.point;
     EXPECT_LE((offset - place.signedDistance * place.normal).norm(), 1e-10);
-    // A cloud point is up to 5 mm/40 from the foot: at most (0.06)²/2δ farther, and never nearer.
+    // A point of the dense set is up to 5 mm/40 away from the foot: at most (0.06)²/2δ farther from
+    // the tip, and never nearer.
     const double cloud = cloudDistance(*body, start.tip, place.triangle);
     EXPECT_LE(std::abs(place.signedDistance), cloud + 1e-10);
     EXPECT_GT(std::abs(place.signedDistance), cloud - 0.15);
@@ -144,7 +147,7 @@ TEST(SmoothContact, IsTheFootOfThePerpendicularAndNoneIsNearer)
 
 TEST(SmoothContact, TheSameFromAnyTriangleNearby)
 {
-  // Also from a start several triangles away: the search crosses edges.
+  // The search also starts several triangles away, so that it crosses edges.
   const auto body = ball(3);
   SmoothContact contact(body->surface, body->response);
   std::mt19937 random(2);
@@ -182,11 +185,11 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
       ASSERT_EQ(next.outcome, SmoothPoint::Outcome::Found);
       if (next.place.signedDistance < -1.5)
       {
-        break; // the smallest radius of the irregular body is little above 2 mm
+        break; // the smallest radius of the irregular body is slightly above 2 mm
       }
       if (next.place.triangle != last.place.triangle)
       {
-        // Bisection of the crossing.
+        // Finds the crossing by bisection.
         double low = s;
         double high = s + 0.05;
         SmoothPoint before = last;
@@ -201,13 +204,12 @@ TEST(SmoothContact, NothingJumpsAcrossEdges)
           (same ? before : after) = there;
         }
         ++crossings;
-        // Point and normal move by the step over 1 - δ/R of the surface, by less than a factor of
-        // 20.
+        // Point and normal move by the step divided by 1 - δ/R, a factor below 20.
         EXPECT_LE(
           (after.place.projection.point - before.place.projection.point).norm(), 20.0 * step);
         EXPECT_LE((after.place.normal - before.place.normal).norm(), 20.0 * step);
         EXPECT_NEAR(after.place.signedDistance, before.place.signedDistance, 2.0 * step);
-        // On the shared edge: the opposite corner has no weight on either side.
+        // On the common edge the opposite corner has no weight on either side.
         EXPECT_LE(before.place.projection.weights.minCoeff(), 20.0 * step);
         EXPECT_LE(after.place.projection.weights.minCoeff(), 20.0 * step);
       }
@@ -246,7 +248,8 @@ TEST(SmoothContact, WeightGradients)
                             .place.projection.weights) /
         (2.0 * e);
     }
-    // e² of third derivatives and 1e-12 over e. The Hessian is that of 1e-6 before the end.
+    // e² times third derivatives, and 1e-12 / e. The Hessian is that of the step before the last,
+    // 1e-6 away.
     EXPECT_LE((place.weightGradients - expected).norm(), 3e-6 * (1.0 + expected.norm()));
     EXPECT_LE((place.weightGradients.transpose() * place.normal).norm(), 1e-9);
   }
@@ -255,7 +258,8 @@ TEST(SmoothContact, WeightGradients)
 
 TEST(SmoothContact, DepthOfASphere)
 {
-  // 1280 triangles 2.8 mm wide: h⁴/R³ times 0.005 (SmoothTriangleTest); facets sag by 0.07 mm.
+  // 1280 triangles, 2.8 mm wide: an error of 0.005 h⁴/R³ (SmoothTriangleTest). Facets are 0.07 mm
+  // inside the sphere.
   const auto body = ball(3);
   SmoothContact contact(body->surface, body->response);
   std::mt19937 random(6);
@@ -267,7 +271,7 @@ TEST(SmoothContact, DepthOfASphere)
       const SmoothPoint point = onset(*body, contact, tip);
       ASSERT_EQ(point.outcome, SmoothPoint::Outcome::Found);
       EXPECT_NEAR(-point.place.signedDistance, depth, 5e-5);
-      // The normal of the patch has an error of 3e-5; below the surface, times R/(R - δ).
+      // The normal of the patch has an error of 3e-5, below the surface times R/(R - δ).
       EXPECT_LE((point.place.normal - tip.normalized()).norm(), 1e-4 * 20.0 / (20.0 - depth));
     }
   }
@@ -282,7 +286,7 @@ TEST(SmoothContact, NotFoundBeyondTheCentreOfCurvature)
   const auto at = [&](double depth)
   { return contact.follow((20.0 - depth) * n, side.triangle, side.projection.weights).outcome; };
   EXPECT_EQ(at(15.0), SmoothPoint::Outcome::Found);
-  // Either no point is found, or one of the far side, which is not deeper than the centre.
+  // Either no point is found, or a point of the far side, at a distance of at most the radius.
   for (double depth = 19.99; depth < 21.0; depth += 0.01)
   {
     const SmoothPoint point =
@@ -304,14 +308,15 @@ TEST(SmoothContact, EndsAtAnOpenBorder)
     const SurfacePoint near = body->tree.closestLocal(from);
     return contact.follow(tip, near.triangle, near.projection.weights);
   };
-  const Vector3 inside(4.4, 0.2, -0.5); // in local coordinates: the plate's centre is the origin
+  // in local coordinates, with the origin at the centre of the plate
+  const Vector3 inside(4.4, 0.2, -0.5);
   EXPECT_EQ(follow(inside, inside).outcome, SmoothPoint::Outcome::Found);
   for (const double beyond : { 5.001, 5.2, 7.0 })
   {
     const SmoothPoint lost = follow(Vector3(beyond, 0.2, -0.5), inside);
     EXPECT_EQ(lost.outcome, SmoothPoint::Outcome::Border);
     EXPECT_LE((lost.place.projection.point - Vector3(5.0, 0.2, 0.0)).norm(), 1e-6);
-    EXPECT_NEAR(lost.place.signedDistance, -0.5, 1e-12); // inside, by the normal there
+    EXPECT_NEAR(lost.place.signedDistance, -0.5, 1e-12); // inside, by the normal at the border
   }
   EXPECT_EQ(follow(Vector3(5.2, 5.3, -0.5), inside).outcome, SmoothPoint::Outcome::Border);
   EXPECT_EQ(follow(Vector3(4.999, 0.2, -0.5), inside).outcome, SmoothPoint::Outcome::Found);
@@ -322,7 +327,7 @@ TEST(SmoothContact, NotFoundAtCreasesAndForTipsThatAreNotFinite)
   const Surface surface = subdivided(block(40, 40, 40), 3);
   ResponseStore store(surface.points.size());
   takeMeshNormals(store, surface);
-  for (std::size_t k = 0; k < 3; ++k) // the same normal along a face of the block
+  for (std::size_t k = 0; k < 3; ++k) // sets the same normal along a face of the block
   {
     store.normal[k] = k == 0 ? 1.0F : 0.0F;
   }

@@ -29,8 +29,8 @@ ContactTracker trackerOn(const palpate::ContactBody& body)
 
 TEST(SmoothTracker, BeginsAtTheSmoothSurface)
 {
-  // A ball of 80 triangles with a radius of 20 mm: in the middle of a facet the smooth surface is
-  // 1.3 mm higher.
+  // A ball of 80 triangles with a radius of 20 mm. In the middle of a facet the smooth surface is
+  // 1.3 mm higher than the facet.
   const Surface surface = icosphere(20.0, 1);
   ResponseStore store(surface.points.size());
   store.normalsFromPoints(surface);
@@ -99,13 +99,14 @@ TEST(SmoothTracker, FlatSidesStayFlat)
 
 TEST(SmoothTracker, KeepsToTheSideItEntered)
 {
-  // A flat cushion, 40 mm wide and 6 thick: the contact does not change sides at half its
+  // A flat cushion, 40 mm wide and 6 mm thick: the contact does not change sides at half of the
   // thickness.
   Surface surface = icosphere(20.0, 3);
   for (Vector3& p : surface.points)
   {
     p.z() *= 0.15;
-    p += Vector3(100.0, -50.0, 30.0); // the body's frame differs from the mesh's
+    // the body's coordinates differ from the local ones of the mesh
+    p += Vector3(100.0, -50.0, 30.0);
   }
   const auto body = uniformBody(surface);
   ContactTracker tracker = trackerOn(*body);
@@ -115,7 +116,7 @@ TEST(SmoothTracker, KeepsToTheSideItEntered)
     const auto contact = tracker.update(Vector3(101.0, -50.5, 33.0 - depth));
     ASSERT_EQ(contact.outcome, Outcome::Inside);
     EXPECT_GT(contact.place.normal.z(), 0.9);
-    EXPECT_GT(contact.place.projection.point.z(), 32.5); // in the body's frame
+    EXPECT_GT(contact.place.projection.point.z(), 32.5); // in the body's coordinates
     EXPECT_GT(-contact.place.signedDistance, last);
     last = -contact.place.signedDistance;
   }
@@ -153,7 +154,7 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
   const Surface surface = subdivided(block(40, 40, 40), 3);
   ResponseStore store(surface.points.size());
   takeMeshNormals(store, surface);
-  std::size_t middle = 0; // of the top
+  std::size_t middle = 0; // middle of the top
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
     if ((surface.points[p] - Vector3(20, 20, 40)).norm() < 1e-9)
@@ -170,7 +171,7 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
   {
     const auto contact = tracker.update(Vector3(x, 20.7, 39.0));
     ASSERT_EQ(contact.outcome, Outcome::Inside);
-    // Next to the crease the surface is flat: both surfaces have the same point.
+    // Near the crease the surface is flat, so both surfaces have the same point.
     EXPECT_LE((contact.place.projection.point - Vector3(x, 20.7, 40.0)).norm(), 1e-9);
     EXPECT_LE((contact.place.normal - Vector3(0, 0, 1)).norm(), 1e-9);
     EXPECT_NEAR(contact.place.weightGradients.sum(), 0.0, 1e-12);
@@ -186,8 +187,8 @@ TEST(SmoothTracker, FacetsStepInAtCreasesAndBack)
 
 TEST(SmoothTracker, BoxesStayBoxes)
 {
-  // Twelve triangles whose corner normals are tilted by 55° against the faces: they do not become a
-  // smooth cushion.
+  // Twelve triangles whose corner normals are tilted by 55° against the faces. They must not be
+  // replaced by a smooth cushion.
   const auto body = uniformBody(block(40, 40, 40));
   ContactTracker tracker = trackerOn(*body);
   for (double x = 3.0; x < 38.0; x += 1.0)
@@ -220,8 +221,8 @@ TEST(SmoothTracker, OpenBordersAndWrongTips)
 
 TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
 {
-  // A torus, not convex. Tips at random places inside, each after the last: never invalid, always
-  // inside.
+  // Tips at random places inside a torus, one after the other, are never invalid and always in
+  // contact.
   const auto body = uniformBody(torus(20.0, 6.0, 60, 30));
   ContactTracker tracker = trackerOn(*body);
   std::mt19937 random(5);
@@ -236,7 +237,7 @@ TEST(SmoothTracker, FindsAContactWhereverTheTipAppears)
     const Vector3 tip(across * std::cos(u), across * std::sin(u), r * std::sin(v));
     const auto contact = tracker.update(tip);
     ASSERT_EQ(contact.outcome, Outcome::Inside) << i;
-    EXPECT_GT(-contact.place.signedDistance, 0.2); // at least 0.3, minus the sag of the facets
+    EXPECT_GT(-contact.place.signedDistance, 0.2); // at least 0.3 mm, minus the depth of the facets
     EXPECT_TRUE(contact.place.projection.point.allFinite());
     EXPECT_NEAR(contact.place.projection.weights.sum(), 1.0, 1e-12);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One patch alone: the values it interpolates, the values it shares with its neighbour, and its
+// One patch: the values that it interpolates, the values in common with its neighbour, and its
 // distance from a sphere.
 #include "Contact/SmoothTriangle.h"
 
@@ -55,7 +55,7 @@ Vector3 facetNormal(const Three& p)
   return (p[1] - p[0]).cross(p[2] - p[0]).normalized();
 }
 
-/// Two triangles abc and bad of any shape; their normals differ by about 20° from those of the
+/// Two triangles abc and bad of any shape. Their normals differ by about 20° from those of the
 /// facets.
 struct Pair
 {
@@ -94,7 +94,7 @@ TEST(SmoothTriangle, FlatDataGiveTheFlatTriangle)
   for (int i = 0; i < 100; ++i)
   {
     const Three p = { chance.vector(), chance.vector(), chance.vector() };
-    const Vector3 n = 3.0 * facetNormal(p); // not necessarily unit
+    const Vector3 n = 3.0 * facetNormal(p); // not necessarily of unit length
     SmoothTriangle patch;
     ASSERT_TRUE(patch.build(p, { n, n, n }));
     const Vector3 u = chance.weights();
@@ -102,7 +102,7 @@ TEST(SmoothTriangle, FlatDataGiveTheFlatTriangle)
     flat.point = u[0] * p[0] + u[1] * p[1] + u[2] * p[2];
     flat.dv = p[1] - p[0];
     flat.dw = p[2] - p[0];
-    // Rounding, depending on the shape of the triangle: 12 differences of control points.
+    // Rounding of 12 differences of control points; depends on the shape of the triangle.
     EXPECT_LE(greatest(patch.evaluate(u), flat), 1e-11);
   }
 }
@@ -153,7 +153,8 @@ TEST(SmoothTriangle, NeighboursShareCurveAndTangentPlanes)
       const SurfaceJet there = second.evaluate({ t, 1.0 - t, 0.0 });
       EXPECT_LE((here.point - there.point).norm(), 1e-14);
       const Vector3 n = here.across().normalized();
-      // Rounding over the angle between the derivatives, which may be small for random corners.
+      // Rounding divided by the angle between the derivatives, which may be small for random
+      // corners.
       EXPECT_LE(n.cross(there.across().normalized()).norm(), 1e-11);
       EXPECT_GT(n.dot(there.across()), 0.0);
     }
@@ -187,8 +188,8 @@ TEST(SmoothTriangle, DerivativesAreThoseOfThePoints)
     differences.dvv = (at(e, 0) - 2 * o + at(-e, 0)) / (e * e);
     differences.dww = (at(0, e) - 2 * o + at(0, -e)) / (e * e);
     differences.dvw = (at(e, e) - at(e, -e) - at(-e, e) + at(-e, -e)) / (4 * e * e);
-    // e² times a fourth derivative (24 control points of order 1; more from Gregory's part near
-    // corners), and rounding over e²: 1e-7 each.
+    // e² times a fourth derivative (24 control points of order 1, and more from Gregory's terms
+    // near corners), plus rounding / e²: 1e-7 each.
     EXPECT_LE(greatest(patch.evaluate(u), differences), 1e-5);
   }
   EXPECT_GT(built, 50);
@@ -202,7 +203,7 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
   std::vector<double> normals;
   for (const double size : { 8.0, 4.0, 2.0, 1.0 })
   {
-    Chance chance(5); // the same shapes for each size
+    Chance chance(5); // gives the same shapes for each size
     double face = 0.0;
     double edge = 0.0;
     double turned = 0.0;
@@ -219,7 +220,7 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
         p[k] = R * (middle + r * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
       }
       SmoothTriangle patch;
-      ASSERT_TRUE(patch.build(p, p)); // normals are not necessarily unit
+      ASSERT_TRUE(patch.build(p, p)); // normals are not necessarily of unit length
       const SurfaceJet inside = patch.evaluate(chance.weights());
       const double t = chance.share();
       face = std::max(face, std::abs(inside.point.norm() - R));
@@ -230,21 +231,21 @@ TEST(SmoothTriangle, ComesToASphereWithTheFourthPowerOfItsSize)
     faces.push_back(face);
     edges.push_back(edge);
     normals.push_back(turned);
-    // The sag of the facet is size²/6R (equilateral, circumradius size/√3).
+    // The facet is size²/6R inside the sphere (equilateral, circumradius size/√3).
     EXPECT_LT(face, 0.01 * size * size / (6.0 * R));
   }
-  // Orders 4, 6 and 3: half the size divides the error by 16, 64 and 8. The test requires half of
-  // that, since the coarsest shapes are a third of the radius wide.
+  // The errors have orders 4, 6 and 3: half the size divides them by 16, 64 and 8. The test
+  // requires half of these factors, since the coarsest shapes are a third of the radius wide.
   for (std::size_t i = 1; i < faces.size(); ++i)
   {
     EXPECT_LT(faces[i], faces[i - 1] / 8.0);
     EXPECT_LT(normals[i], normals[i - 1] / 4.0);
   }
   EXPECT_LT(edges[1], edges[0] / 32.0);
-  EXPECT_LT(edges[2], edges[1] / 32.0); // the finest is at rounding level
+  EXPECT_LT(edges[2], edges[1] / 32.0); // the finest size is at rounding level
 }
 
-// Vectors of four numbers, of 32 bytes, are read from members that are aligned for two.
+// Vectors of four numbers, of 32 bytes, are read from members that are aligned for two numbers.
 TEST(SmoothTriangle, AtEveryAddress)
 {
   Chance chance(5);
@@ -278,7 +279,7 @@ TEST(SmoothTriangle, RefusesWhatHasNoSmoothSurface)
     EXPECT_FALSE(patch.build(p, { up, bad, up }));
     EXPECT_FALSE(patch.build(p, { up, up, bad }));
   }
-  EXPECT_FALSE(patch.build({ p[0], p[1], p[1] }, { up, up, up })); // no area
+  EXPECT_FALSE(patch.build({ p[0], p[1], p[1] }, { up, up, up })); // a triangle without area
   EXPECT_FALSE(patch.build({ p[0], p[0], p[0] }, { up, up, up }));
   EXPECT_FALSE(patch.build({ p[0], p[1], Vector3(0, nan, 0) }, { up, up, up }));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outside of each part, cavities, second bodies, sheets and repeats; and random damage, after
-// which the distances are those of the sound body.
+// The orientation of each part, cavities, second bodies, sheets and duplicates. Also random damage,
+// after which the distances are those of the body without damage.
 #include "BumpySphere.h"
 #include "Contact/SoundMesh.h"
 #include "Contact/TriangleTree.h"
@@ -70,10 +70,11 @@ TEST(SoundMesh, ASoundBodyStaysAsItIs)
 TEST(SoundMesh, PartsWindOutward)
 {
   const Surface ball = icosphere(10.0, 3);
-  // A ball that is inside out, next to a sound one; and a ball with a hole of 45 degrees.
+  // A ball with inward winding next to a ball with outward winding; and a ball with a hole of 45
+  // degrees.
   const Surface pair = together(ball, reversed(ball), { 30, 0, 0 });
   EXPECT_EQ(repaired(pair).defects().turnedTriangles, ball.triangles.size());
-  EXPECT_NEAR(signedDistance(pair, { 30, 0, 9 }), -1.0, 0.1); // facets: 0.06 mm below the ball
+  EXPECT_NEAR(signedDistance(pair, { 30, 0, 9 }), -1.0, 0.1); // facets are 0.06 mm inside the ball
   EXPECT_NEAR(signedDistance(pair, { 0, 0, 9 }), -1.0, 0.1);
   const Surface open = cutAbove(reversed(ball), 7.1);
   EXPECT_EQ(repaired(open).defects().turnedTriangles, open.triangles.size());
@@ -90,9 +91,9 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
   const Surface hollow = together(outer, reversed(inner), { 0.3, 0.2, 0.1 });
   EXPECT_EQ(repaired(hollow).fault(), "");
   EXPECT_EQ(repaired(hollow).defects().turnedTriangles, 0U);
-  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // the cavity is outside
+  EXPECT_GT(signedDistance(hollow, { 0, 0, 0 }), 4.0); // the cavity is outside the body
   EXPECT_NEAR(signedDistance(hollow, { 6.3, 0.2, 0.1 }), -1.0, 0.2);
-  // A grain in the cavity with outward winding stays; one with inward winding is turned.
+  // A separate ball in the cavity stays if its winding is outward, and is reversed if it is inward.
   for (const bool turn : { false, true })
   {
     const Surface grain = turn ? reversed(icosphere(1.0, 1)) : icosphere(1.0, 1);
@@ -105,7 +106,7 @@ TEST(SoundMesh, CavitiesAndSecondBodies)
       ::testing::HasSubstr("inside part 1 of 2"), ::testing::HasSubstr("second body")));
   EXPECT_THAT(repaired(together(outer, inner, { 19, 0, 0 })).fault(),
     ::testing::AllOf(::testing::HasSubstr("part 2 of 2"), ::testing::HasSubstr("overlap")));
-  // Inside the bounding box of a ring, but not in the ring.
+  // The ball is inside the bounding box of a ring, but not in the ring.
   EXPECT_EQ(repaired(together(torus(20, 4, 30, 12), icosphere(2.0, 1), { 0, 0, 0 })).fault(), "");
 }
 
@@ -114,18 +115,19 @@ TEST(SoundMesh, SheetsWithTwoSidesAreRefused)
   const Surface sheet = openPlate(10.0, 6);
   const auto refuses = [](const Surface& body, const char* words)
   { EXPECT_THAT(repaired(body).fault(), ::testing::HasSubstr(words)); };
-  // With its own points, with the same points, and with separate corners.
+  // The two sides of the sheet have separate points, the same points, or separate corners for each
+  // triangle.
   refuses(together(sheet, reversed(sheet), { 0, 0, 0 }), "encloses no volume");
   Surface shared = sheet;
   const Surface back = reversed(sheet);
   shared.triangles.insert(shared.triangles.end(), back.triangles.begin(), back.triangles.end());
   refuses(shared, "occur with their reverse");
   refuses(triangleSoup(shared), "occur with their reverse");
-  // Next to a ball with 35 times as many triangles it counts as a scrap.
+  // Next to a ball with 35 times as many triangles the sheet is left out without a fault.
   EXPECT_EQ(repaired(together(icosphere(20.0, 4), shared, { 30, 0, 0 })).fault(), "");
 }
 
-/// Copies with their own points, in any order: the body is as without them.
+/// Copies with separate points, in any order: the body is the same as without the copies.
 TEST(SoundMesh, CopiesAtOnePlaceAreLeftOut)
 {
   const Surface ball = icosphere(10.0, 2);
@@ -153,10 +155,10 @@ TEST(SoundMesh, CopiesAtOnePlaceAreLeftOut)
   }
 }
 
-/// Blocks that share walls are one body.
+/// Blocks with common walls are one body.
 TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
 {
-  // Opposite faces are triangulated equally.
+  // Opposite faces have the same triangles.
   Surface cube;
   for (int i = 0; i < 8; ++i)
   {
@@ -174,13 +176,13 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
   EXPECT_EQ(mesh.defects().repeatedTriangles, 27U * 12U - 6U * 9U * 2U);
   EXPECT_EQ(all.packed().defects().borderEdges, 0U);
   EXPECT_NEAR(signedDistance(all, { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
-  EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // at a wall
+  EXPECT_NEAR(signedDistance(all, { 10.0, 13.0, 29.0 }), -1.0, 1e-5); // a point near a wall
   for (const Surface& each : { all, reversed(all) }) // also with separate corners for each triangle
   {
     EXPECT_EQ(repaired(triangleSoup(each)).fault(), "");
     EXPECT_NEAR(signedDistance(triangleSoup(each), { 14.0, 13.0, 16.0 }), -13.0, 1e-5);
   }
-  // A cavity flush with the surface is a notch.
+  // A cavity that reaches the surface is a notch.
   Surface united = all;
   united.triangles.assign(mesh.triangles().begin(), mesh.triangles().end());
   united.triangles.erase(std::remove_if(united.triangles.begin(), united.triangles.end(),
@@ -195,7 +197,8 @@ TEST(SoundMesh, WallsBetweenTouchingPartsAreLeftOut)
     ::testing::HasSubstr("overlap or touch"));
 }
 
-/// However the parts are rotated and cut, and even with a missing triangle.
+/// Overlapping or touching parts are rejected for any rotation and triangulation, even if a
+/// triangle is missing.
 TEST(SoundMesh, PartsThatOverlapOrTouchAreRefused)
 {
   std::mt19937 random(6);
@@ -210,7 +213,7 @@ TEST(SoundMesh, PartsThatOverlapOrTouchAreRefused)
     bool isSound;
   };
   const Pair pairs[] = { { block(40, 4, 4), block(4, 40, 4), { 18, -18, 0 },
-                           false }, // bars that cross
+                           false }, // two crossing bars
     { block(40, 40, 40), block(40, 40, 40), { 34, 34, 34 }, false },
     { block(10, 10, 10), block(10, 10, 10), { 10, 2, 1 }, false },
     { block(10, 10, 10), block(2, 2, 2), { 4, 4, 10 }, false },
@@ -248,7 +251,7 @@ TEST(SoundMesh, SheetsInsideASolidAreLeftOut)
   pierced.triangles.pop_back();
   EXPECT_EQ(repaired(together(pierced, sheet, { -4, -4, 17 })).defects().hiddenTriangles,
     sheet.triangles.size());
-  // A sheet that extends out of the ball stays; so does one in an open bowl.
+  // A sheet that extends out of the ball stays, and so does a sheet in an open bowl.
   EXPECT_EQ(repaired(together(ball, sheet, { 15, -4, 0 })).defects().hiddenTriangles, 0U);
   EXPECT_EQ(
     repaired(together(cutAbove(ball, -0.5), sheet, { -4, -4, -10 })).defects().hiddenTriangles, 0U);
@@ -262,7 +265,8 @@ TEST(SoundMesh, CopiesAreLeftOut)
     copied.triangles.end(), ball.triangles.begin(), ball.triangles.begin() + 50);
   EXPECT_EQ(repaired(copied).defects().repeatedTriangles, 50U);
   EXPECT_EQ(repaired(copied).defects().nonManifoldEdges, 0U);
-  // Together with their reverse: they fill holes of the ball, so they stay.
+  // Reversed copies of triangles of the ball: the copies are left out and the ball keeps its
+  // triangles.
   Surface doubled = ball;
   for (std::size_t t = 0; t < 20; ++t)
   {
@@ -284,7 +288,7 @@ TEST(SoundMesh, CopiesAreLeftOut)
   EXPECT_EQ(repaired(flapped).defects().nonManifoldEdges, 0U);
 }
 
-/// Random flips, splits, copies, reversed copies and scraps.
+/// Random reversed triangles, split points, copies, reversed copies and invalid triangles.
 TEST(SoundMesh, RandomBreakageChangesNothing)
 {
   std::mt19937 random(3);
@@ -301,7 +305,7 @@ TEST(SoundMesh, RandomBreakageChangesNothing)
       for (std::size_t t = 0; t < sound.triangles.size(); ++t)
       {
         auto& corners = broken.triangles[t];
-        if (trial > 3 && chance(0.3)) // separate corners
+        if (trial > 3 && chance(0.3)) // gives some triangles separate corners
         {
           for (std::int32_t& corner : corners)
           {
@@ -341,7 +345,7 @@ TEST(SoundMesh, RandomBreakageChangesNothing)
       for (int i = 0; i < 200; ++i)
       {
         const Vector3 tip = whole.centre() + Vector3(place(random), place(random), place(random));
-        // Corners in another order round differently: 1e-13 of the distances.
+        // Corners in another order cause other rounding: 1e-13 of the distances.
         ASSERT_NEAR(tree.closest(tip).signedDistance, wholeTree.closest(tip).signedDistance, 1e-11);
       }
     }

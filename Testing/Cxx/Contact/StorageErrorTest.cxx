@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The error of a response stored in 8 float32 samples: the closed forms of the reference sheet in
-// series with a global compliance, stored and read back, over 1 … 100 % of δ_max = 2 mm.
+// series with a global compliance are stored and evaluated over 1 … 100 % of δ_max = 2 mm.
 #include "Contact/ResponseField.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -22,7 +22,7 @@ struct Local
   double depth, force, stiffness; ///< mm, N, N/mm
 };
 
-/// The law of a tool over a parameter p >= 0 that grows with depth. E* = 3.45 MPa.
+/// The law of a tool as a function of a parameter p >= 0 that grows with depth. E* = 3.45 MPa.
 struct Tool
 {
   std::string name;
@@ -138,8 +138,9 @@ TEST(StorageError, WithinTheBoundsOfTheReferenceSheet)
       std::replace_if(
         key.begin(), key.end(), [](char character) { return std::isalnum(character) == 0; }, '_');
       RecordProperty(key, std::to_string(1e6 * error) + "e-6");
-      // Reference sheet, section 7: 5e-4 in general, 1.4e-2 for a sphere in series with 10 mm/N. It
-      // states no bound for a cone in series, whose exponent is furthest from 1: 2e-2 here.
+      // The reference sheet, section 7, states 5e-4 in general and 1.4e-2 for a sphere in series
+      // with 10 mm/N. It states no bound for a cone in series, whose exponent differs most from 1:
+      // 2e-2 here.
       const double inSeries = tool.exponent == 2.0 ? 2e-2 : 1.4e-2;
       const double bound = compliance > 0.0 ? inSeries : 5e-4;
       EXPECT_LE(error, bound) << tool.name << ", C_g = " << compliance;
@@ -150,8 +151,8 @@ TEST(StorageError, WithinTheBoundsOfTheReferenceSheet)
 
 TEST(StorageError, TableOneIsExactToSinglePrecision)
 {
-  // Flat, paraboloid and cone follow their power exactly. The only error is that of float32, 6e-8
-  // in each F and K; the slope of r adds 2m s n/4 times the interval.
+  // Flat end, paraboloid and cone follow their power exactly. The only error is that of float32,
+  // 6e-8 for each F and K. The slope of r contributes 2m s n/4 times the interval.
   for (const Tool& tool : tools())
   {
     if (tool.name.substr(0, 6) != "sphere")

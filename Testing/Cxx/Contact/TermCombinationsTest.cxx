@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The force form with an energy, under every combination of edges, tilt, relaxation and coupling,
-// on points with unlike curves, laws of tilt and strengths: forces and torques do no work on a
+// The energy-consistent force form under every combination of edges, tilt, relaxation and coupling,
+// at points with different curves, tilt laws and strengths. Forces and torques do no work on a
 // closed path.
 #include "Contact/Coupled/CoupledContacts.h"
 
@@ -35,8 +35,8 @@ std::string nameOfTerms(const ::testing::TestParamInfo<Terms>& info)
   return name.empty() ? "None" : name;
 }
 
-/// A block of 20 x 16 x 12 mm under a ball of 5 mm. Each point has a different multiple of
-/// F = 10 δ^1.5, and different shares of two laws of tilt and strengths of relaxation.
+/// A block of 20 x 16 x 12 mm under a ball of 5 mm. Each point has another multiple of F = 10
+/// δ^1.5, other weights of two tilt laws, and other strengths of relaxation.
 struct VariedBlock
 {
   explicit VariedBlock(const Terms& terms)
@@ -91,8 +91,8 @@ struct VariedBlock
   std::unique_ptr<ContactBody> body;
 };
 
-/// A closed path over the upper face, 1.1 to 2.5 mm from an edge of the block and 0.3 to 0.7 mm
-/// deep. `side` -1 and 1: two tools, 5 mm apart.
+/// A pose on a closed path over the upper face, 1.1 to 2.5 mm from an edge of the block, at depths
+/// of 0.3 to 0.7 mm. `side` is -1 or 1 for the two tools, which are 5 mm apart.
 ToolPose poseOnTurn(double turn, double side)
 {
   const double phase = turn + 0.9 * side;
@@ -118,11 +118,11 @@ std::vector<ToolPose> posesOnTurn(std::size_t count, double turn, double above =
 struct TurnWork
 {
   double net = 0.0;      ///< N mm
-  double put = 0.0;      ///< sum of its positive steps
-  double sideways = 0.0; ///< sum of the magnitudes of the steps of the force along the face
+  double put = 0.0;      ///< sum of the positive steps
+  double sideways = 0.0; ///< sum of the magnitudes of the steps of the tangential force
 };
 
-/// The work of all tools in the second of two turns, by the trapezoidal rule.
+/// Work of all tools in the second of two turns, by the trapezoidal rule.
 TurnWork workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
 {
   const std::size_t count = contacts.count();
@@ -131,10 +131,10 @@ TurnWork workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
   TurnWork work;
   const auto evaluate = [&](const std::vector<ToolPose>& poses)
   {
-    constexpr double instant = 1e-15; // s: nothing relaxes during the path
+    constexpr double instant = 1e-15; // s: too short for relaxation during the path
     return isInTime ? contacts.update(poses.data(), instant) : contacts.settle(poses.data());
   };
-  for (int i = 100; i >= 0; --i) // comes down on the upper face
+  for (int i = 100; i >= 0; --i) // the tools move down onto the upper face
   {
     evaluate(posesOnTurn(count, 0.0, 0.01 * i));
   }
@@ -146,7 +146,8 @@ TurnWork workOfATurn(CoupledContacts& contacts, bool isInTime, int steps)
     {
       EXPECT_GT(now[k].normalForce, 0.0) << i;
       const Vector3 way = poses[k].tip - before[k].tip;
-      const Vector3 turned = before[k].axis.cross(poses[k].axis); // a small angle
+      // rotation of the axis, a small angle
+      const Vector3 turned = before[k].axis.cross(poses[k].axis);
       const Vector3 force = 0.5 * (last[k].force + now[k].force);
       const double step = -(force.dot(way) + 0.5 * (last[k].torque + now[k].torque).dot(turned));
       work.net += step;
@@ -175,9 +176,10 @@ TEST_P(TermCombinations, NothingIsGainedOnAClosedPath)
     settings.surface = surface;
     CoupledContacts contacts(*block.body, settings, terms.coupling ? 2 : 1);
     const TurnWork work = workOfATurn(contacts, terms.relaxation, 4000);
-    // Curves are floats, and memory follows chords of the curve: 6e-6 at most.
+    // Curves are floats, and the memory force follows chords of the curve: 6e-6 at most.
     EXPECT_LT(std::abs(work.net), 1e-5 * work.put);
-    EXPECT_GT(work.sideways, 2e-2 * work.put); // the part that the derivatives by the place have
+    // the tangential force has a measurable part in the work
+    EXPECT_GT(work.sideways, 2e-2 * work.put);
   }
 }
 

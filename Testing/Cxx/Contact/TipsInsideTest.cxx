@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A single tip inside a closed body has a contact, on thin, bumpy and star-shaped bodies, with the
-// law of edges too; a tip outside has none. Inside and outside come from winding numbers.
+// A single tip inside a closed body has a contact, on thin, bumpy and star-shaped bodies, also with
+// the law of edges. A tip outside has none. The winding number determines what is inside.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -23,7 +23,7 @@ struct SampleBody
   Surface surface;
 };
 
-/// A sphere of 10 mm, stretched, and with `tips` rays of a star around z.
+/// A stretched sphere of 10 mm, with a star of `tips` rays around z.
 Surface star(int tips, const Vector3& stretch)
 {
   Surface body = icosphere(1.0, 3);
@@ -36,8 +36,8 @@ Surface star(int tips, const Vector3& stretch)
   return body;
 }
 
-/// A sphere of 10 mm whose points are moved along the radius at random: bumps and pits with edges
-/// of 20° to 90°.
+/// A sphere of 10 mm whose points are moved along the radius at random, which makes bumps and pits
+/// with edges of 20° to 90°.
 Surface rough(unsigned seed)
 {
   Surface body = icosphere(10.0, 3);
@@ -72,7 +72,8 @@ TEST(TipsInside, HaveAContactWithAndWithoutEdges)
       {
         if (settings.surface == ContactSurface::Smooth)
         {
-          continue; // it lies above and below the facets: another inside
+          // the smooth surface is partly above and partly below the facets, so its inside differs
+          continue;
         }
         std::mt19937 random(7);
         std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -106,7 +107,8 @@ TEST(TipsInside, HaveAContactWithAndWithoutEdges)
 
 TEST(TipsInside, StayInContactUntilTheyAreOutside)
 {
-  // From a tip inside, out along the way to the contact point: a force all the way, then none.
+  // A tip moves from inside along the line to the contact point and beyond: it has a force until it
+  // is outside, and none outside.
   const Surface body = rough(2).rounded();
   const auto contactBody = uniformBody(body, sphereOverEdges());
   std::mt19937 random(3);

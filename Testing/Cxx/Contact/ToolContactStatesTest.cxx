@@ -54,13 +54,13 @@ TEST(ToolContactStates, NoneOutside)
 
 TEST(ToolContactStates, BeyondRange)
 {
-  // A plate pressed 5 mm deep with curves that end at 2 mm: F = 10·2^1.5, K = 15·√2 there.
+  // A plate pressed 5 mm deep with curves that end at 2 mm, where F = 10·2^1.5 and K = 15·√2.
   const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.01)).state, ContactState::Slide);
   const Contact found = contact.update(Vector3(20.3, 21.1, 37.0));
   EXPECT_EQ(found.state, ContactState::BeyondRange);
-  // Float32 samples.
+  // Tolerance: samples are float32.
   EXPECT_NEAR(found.normalForce, 10.0 * std::pow(2.0, 1.5) + 15.0 * std::sqrt(2.0), 1e-5);
   EXPECT_NEAR(found.stiffness, 15.0 * std::sqrt(2.0), 1e-5);
   EXPECT_EQ(contact.update(Vector3(20.3, 21.1, 38.5)).state, ContactState::Slide);
@@ -70,7 +70,7 @@ TEST(ToolContactStates, BeyondRangeOfOneOfThreeVertices)
 {
   const Surface surface = openPlate(10.0, 2);
   ResponseStore store(surface.points.size());
-  store.range[4] = 1.0F; // the inner point
+  store.range[4] = 1.0F; // the point in the middle of the plate
   const auto body = contactBody(surface, store);
   EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -1.5)).state, ContactState::BeyondRange);
   EXPECT_EQ(ToolContact(*body).update(Vector3(4.0, 3.0, -0.9)).state, ContactState::Slide);
@@ -78,8 +78,8 @@ TEST(ToolContactStates, BeyondRangeOfOneOfThreeVertices)
 
 TEST(ToolContactStates, CornersWithoutAShareHaveNoSay)
 {
-  // The contact is on the edge between (0,0) and (5,5). For either of its two triangles the
-  // opposite point has no effect.
+  // The contact is on the edge between (0,0) and (5,5). In either of its two triangles the opposite
+  // point has no effect.
   const Surface surface = openPlate(10.0, 2);
   for (const std::size_t opposite : { 1, 3 })
   {
@@ -110,7 +110,7 @@ TEST(ToolContactStates, VertexWithoutResponse)
   for (const std::uint8_t status : { 1, 2, 3, 4 })
   {
     ResponseStore store(surface.points.size());
-    store.status[60] = status; // at (5, 5)
+    store.status[60] = status; // the point at (5, 5)
     const auto body = contactBody(surface, store);
     ToolContact contact(*body);
     const Contact found = contact.update(Vector3(5.2, 5.1, -0.5));
@@ -119,7 +119,7 @@ TEST(ToolContactStates, VertexWithoutResponse)
     EXPECT_EQ(contact.update(Vector3(7.2, 5.1, -0.5)).state, ContactState::Slide);
   }
   ResponseStore store(surface.points.size());
-  store.status[60] = 5; // status Edge: interpolated and usable
+  store.status[60] = 5; // status Edge: the curve is interpolated and can be used
   const auto body = contactBody(surface, store);
   EXPECT_EQ(ToolContact(*body).update(Vector3(5.2, 5.1, -0.5)).state, ContactState::Slide);
 }
@@ -132,11 +132,13 @@ TEST(ToolContactStates, TipThatIsNotFinite)
     ToolContact contact(*body);
     EXPECT_GT(contact.update(Vector3(20.3, 18.7, 2.0)).force.z(), 0.0);
     EXPECT_GT(
-      contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // its history keeps it at the top
+      // the history keeps the contact at the top
+      contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0);
     const Contact found = contact.update(Vector3(20.3, bad, 1.2));
     EXPECT_EQ(found.state, ContactState::Invalid);
     expectNoForce(found);
-    EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0); // without the history
+    // without the history the nearer side counts
+    EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.2)).force.z(), 0.0);
   }
 }
 
@@ -193,8 +195,8 @@ TEST(ToolContactStates, NormalsThatAreNotFiniteGiveNoDirection)
 
 TEST(ToolContactStates, ForeseeingChangesNothing)
 {
-  // Over a plate, past its border, beyond the range, out, and with tips that are not finite or far
-  // away.
+  // A path over a plate, past its border, beyond the range, outside, and with tips that are not
+  // finite or far away.
   const auto body = uniformBody(openPlate(10.0, 20));
   palpate::ContactSettings settings;
   settings.friction.coefficient = 0.5;
@@ -203,7 +205,7 @@ TEST(ToolContactStates, ForeseeingChangesNothing)
     settings.surface = surface;
     ToolContact usual(*body, settings);
     ToolContact foreseeing(*body, settings);
-    foreseeing.foresee(); // before any tip
+    foreseeing.foresee(); // no tip is known yet
     std::array<int, 6> met{};
     for (int tick = 0; tick < 5000; ++tick)
     {

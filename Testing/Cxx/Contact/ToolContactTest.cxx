@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first contact at any place, against a second implementation of the tick: closest point over all
-// triangles, weights by areas (Mahvash and Hayward 2002, eq. 4), curves as defined by the contract.
+// A first contact at any place, against a second implementation of the tick: the closest point over
+// all triangles, weights by areas (Mahvash and Hayward 2002, eq. 4), and curves as defined by the
+// contract.
 #include "Contact/ToolContact.h"
 
 #include "BruteForce.h"
@@ -72,7 +73,7 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
   const Surface body = given.rounded();
   ResponseStore store(body.points.size());
   takeMeshNormals(store, body);
-  store.randomizeCurves(13); // heterogeneous
+  store.randomizeCurves(13); // other curves at each point
   const auto contact = contactBody(body, store);
   const std::vector<std::int32_t> all = allTriangles(body);
   std::mt19937 random(14);
@@ -81,7 +82,7 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
   int beyond = 0;
   for (int i = 0; i < tips; ++i)
   {
-    // Around a random point of the body, at most `deepest` from it.
+    // A tip around a random point of the body, at a distance of at most `deepest`.
     const auto& t =
       body.triangles[static_cast<std::size_t>(share(random) * static_cast<double>(all.size()))];
     Vector3 tip = body.points[static_cast<std::size_t>(t[0])];
@@ -106,8 +107,8 @@ void compareWithBruteForce(const Surface& given, double deepest, int tips)
       beyond += expected.beyondRange;
       EXPECT_EQ(
         found.state, expected.beyondRange ? ContactState::BeyondRange : ContactState::Slide);
-      // 1e-12 of the body's size in the contact point, over the height of the facets: 1e-11 in
-      // weights.
+      // The contact point has an error of 1e-12 of the body's size. Divided by the height of the
+      // facets, this is 1e-11 in the weights.
       const double scale = 1e-10 * (1.0 + expected.force.norm());
       EXPECT_LE((found.force - expected.force).norm(), scale);
       EXPECT_LE((found.normal - expected.normal).norm(), 1e-10);
@@ -136,8 +137,8 @@ TEST(ToolContact, BruteForceOnConcaveBodies)
 
 TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
 {
-  // The history keeps the contact at the top of a slab beyond its middle: force of the top at the
-  // full depth.
+  // The history keeps the contact at the top of a slab beyond its middle: the force is that of the
+  // top at the full depth.
   const Surface slab = subdivided(block(40, 40, 3), 4);
   const auto body = uniformBody(slab);
   ToolContact contact(*body);
@@ -147,10 +148,11 @@ TEST(ToolContact, ContinuesWithTheSameHistoryAsItsTracker)
     const Contact found = contact.update(Vector3(20.3, 18.7, 3.0 - depth));
     ASSERT_EQ(found.state, ContactState::Slide);
     EXPECT_NEAR(found.deflection, depth, 1e-14);
-    // Samples are float32: 6e-8; the interpolation gives a few times that.
+    // Samples are float32 with an error of 6e-8; the interpolation multiplies it by a few.
     EXPECT_LE(
       (found.force - Vector3(0, 0, 10.0 * std::pow(depth, 1.5))).norm(), 1e-6 * depth * 10.0);
   }
   contact.reset();
-  EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.1)).force.z(), 0.0); // of the bottom
+  // the force is that of the bottom
+  EXPECT_LT(contact.update(Vector3(20.3, 18.7, 1.1)).force.z(), 0.0);
 }

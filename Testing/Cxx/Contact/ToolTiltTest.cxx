@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tilted tools in the tick: against closed forms on a plate, and against the work along paths on a
-// ball. The tables come from functions, so that the test checks the tick and not a tool.
+// ball. The tables are made from functions, so that the test checks the tick and not a tool.
 #include "Contact/ToolContact.h"
 #include "SampleResponses.h"
 #include "SampleSeries.h"
@@ -30,7 +30,7 @@ constexpr double Radius = 5.0;
 constexpr double Largest = 0.6;
 constexpr double TiltRange = 2.0;
 
-/// The axis of a tool that is tilted by an angle towards a direction in the plane.
+/// The axis of a tool that is tilted by `angle` in the direction `towards` of the plane, rad.
 Vector3 leaning(double angle, double towards)
 {
   return { std::sin(angle) * std::cos(towards), std::sin(angle) * std::sin(towards),
@@ -79,7 +79,7 @@ ContactSettings energyOn(ContactSurface surface)
   return settings;
 }
 
-/// A work that depends on both depth and tilt.
+/// A factor of the work that depends on both depth and tilt.
 double leaningFactor(double depth, double angle)
 {
   return 1.0 + angle * angle * (0.8 + 0.5 * depth);
@@ -105,7 +105,7 @@ struct Ball
   std::unique_ptr<ContactBody> body;
 };
 
-/// A pose on a closed path over part of the ball, with the tool tilted in varying directions.
+/// A pose on a closed path over a part of the ball, with the tool tilted in varying directions.
 ToolPose poseAt(double turn)
 {
   const double polar = 0.5 + 0.2 * std::sin(turn);
@@ -122,20 +122,19 @@ struct Work
   double taken = 0.0; ///< part of the energy that was put in
 };
 
-/// Work of a tool that moves around once, by the trapezoidal rule.
+/// Work of a tool in one turn, by the trapezoidal rule.
 Work workAround(const ContactBody& body, const ContactSettings& settings, int steps)
 {
   ToolContact contact(body, settings);
   ToolPose before = poseAt(0.0);
   contact.update(before);
-  Contact last =
-    contact.update(before); // from here on the contact is followed from where it was found
+  Contact last = contact.update(before); // begins the contact, which is followed from here on
   Work work;
   for (int i = 1; i <= steps; ++i)
   {
     const ToolPose pose = poseAt(2.0 * M_PI * i / steps);
     const Contact now = contact.update(pose);
-    const Vector3 turned = before.axis.cross(pose.axis); // a small angle
+    const Vector3 turned = before.axis.cross(pose.axis); // rotation of the axis, a small angle
     const double step = -0.5 *
       ((last.force + now.force).dot(pose.tip - before.tip) +
         (last.torque + now.torque).dot(turned));
@@ -202,7 +201,7 @@ TEST(ToolTilt, ForceTorqueAndStiffnessAreThoseOfTheWork)
   const double stiffness =
     (work(depth + h, angle) - 2.0 * work(depth, angle) + work(depth - h, angle)) / (h * h);
   const double moment = (work(depth, angle + h) - work(depth, angle - h)) / (2.0 * h);
-  // Curves as floats in 8 samples, and a table of 17 by 17 nodes of a polynomial in x² and y².
+  // Curves are floats in 8 samples, and the table has 17 by 17 nodes of a polynomial in x² and y².
   EXPECT_NEAR(felt.normalForce, force, 1e-5 * force);
   EXPECT_NEAR(felt.stiffness, stiffness, 1e-3 * stiffness);
   EXPECT_NEAR(felt.torque.dot(axis.cross(Vector3::UnitZ()).normalized()), moment, 1e-4 * moment);
@@ -221,7 +220,7 @@ TEST(ToolTilt, WithoutAnAxisEveryBitIsAsBefore)
     {
       const Vector3 tip = poseAt(0.05 * i).tip;
       const Contact a = tilted.update(tip);
-      const Contact b = plain.update(ToolPose(tip, leaning(0.3, 1.0))); // without tilts
+      const Contact b = plain.update(ToolPose(tip, leaning(0.3, 1.0))); // a body without tilts
       ASSERT_EQ(a.force, b.force) << i;
       ASSERT_EQ(a.torque, Vector3::Zero());
       ASSERT_EQ(b.torque, Vector3::Zero());
@@ -276,9 +275,10 @@ TEST(ToolTilt, NothingIsGainedOnAClosedPath)
   const Work coarse = workAround(*ball.body, settings, 4000);
   const Work fine = workAround(*ball.body, settings, 8000);
   ASSERT_GT(fine.taken, 1.0);
-  // The followed point is below the normal of the last tick. This delay and the error of the rule
-  // fall with the step (7e-5 and 4e-5 here). The normal of the patch and the blended one, from
-  // which the tilt is measured, differ by less.
+  // The followed point is determined with the normal of the last tick. The error of this delay and
+  // that of the trapezoidal rule fall with the step (7e-5 and 4e-5 here). The difference between
+  // the patch's normal and the blended normal, from which the tilt is measured, has a smaller
+  // effect.
   EXPECT_LT(std::abs(fine.net), 2e-4 * fine.taken) << coarse.net;
 }
 
@@ -311,7 +311,7 @@ TEST(ToolTilt, ABodyThatRelaxesRestsAtTheTiltedForce)
   contact.update(ToolPose(tipAt(-3.0), pose.axis), 0.001);
   contact.update(pose, 1e-6);
   Contact felt = contact.update(pose, 1e-6);
-  // A fast press is 1 + p times as stiff, and so is the torque.
+  // In a fast press force and torque are 1 + p times as large.
   EXPECT_NEAR(felt.normalForce, 1.5 * slow.normalForce, 1e-3 * slow.normalForce);
   EXPECT_NEAR(felt.torque.norm(), 1.5 * slow.torque.norm(), 1e-2 * slow.torque.norm());
   felt = contact.update(pose, 10.0);

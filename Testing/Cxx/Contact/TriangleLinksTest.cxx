@@ -18,7 +18,7 @@ std::vector<std::int32_t> ringOf(const TriangleLinks& topology, std::int32_t poi
   return { ends[0], ends[1] };
 }
 
-/// By enumeration of half edges: the triangle along each.
+/// The triangle along each half edge, by enumeration.
 std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> halfEdgesOf(const Surface& body)
 {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> halfEdges;
@@ -68,7 +68,8 @@ TEST(TriangleLinks, TwoTriangles)
 
 TEST(TriangleLinks, TwoTrianglesThatWindApart)
 {
-  // Both run from 1 to 2: they are not neighbours, but a flip of one would repair that.
+  // Both triangles have an edge from 1 to 2, so they are not neighbours. Reversing one of them
+  // would repair this.
   const TriangleLinks topology({ { 0, 1, 2 }, { 1, 2, 3 } }, 4);
   EXPECT_EQ(topology.neighbours(0)[1], TriangleLinks::NonManifold);
   EXPECT_EQ(topology.neighbours(1)[0], TriangleLinks::NonManifold);
@@ -85,9 +86,9 @@ TEST(TriangleLinks, EdgesOfMoreThanTwoTriangles)
     EXPECT_EQ(fins.neighbours(t)[0], TriangleLinks::NonManifold);
   }
   EXPECT_EQ(fins.nonManifoldEdges(), 1U);
-  EXPECT_EQ(fins.twistedEdges(), 0U); // a flip of one does not repair it
+  EXPECT_EQ(fins.twistedEdges(), 0U); // reversing a triangle does not repair this edge
   EXPECT_EQ(fins.borderEdges(), 6U);
-  // The same triangle two times; and back to back, which closes it.
+  // The same triangle twice; and a triangle and its reverse, which form a closed surface.
   EXPECT_EQ(TriangleLinks({ { 0, 1, 2 }, { 0, 1, 2 } }, 3).nonManifoldEdges(), 3U);
   const TriangleLinks leaf({ { 0, 1, 2 }, { 0, 2, 1 } }, 3);
   EXPECT_EQ(leaf.nonManifoldEdges() + leaf.borderEdges(), 0U);

@@ -35,13 +35,14 @@ double areaOf(const Vector3& a, const Vector3& b, const Vector3& c)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/// Weights are area coordinates: >= 0, their sum is 1, and they give the point.
+/// Expects that the weights are area coordinates: >= 0, with the sum 1, and that they give the
+/// point.
 void expectWeights(
   const TriangleProjection& found, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double size = std::max({ a.norm(), b.norm(), c.norm() });
   EXPECT_GE(found.weights.minCoeff(), 0.0);
-  EXPECT_NEAR(found.weights.sum(), 1.0, 4e-16); // two additions
+  EXPECT_NEAR(found.weights.sum(), 1.0, 4e-16); // rounding of two additions
   const Vector3 point = found.weights[0] * a + found.weights[1] * b + found.weights[2] * c;
   EXPECT_LE((point - found.point).norm(), 4e-15 * size); // a few roundings of the coordinates
 }
@@ -67,13 +68,13 @@ TEST(TriangleProjection, BruteForceOnRandomTriangles)
     const Nearest nearest = nearestOfTriangle(tip, a, b, c);
     ++features[static_cast<std::size_t>(found.feature)];
     expectWeights(found, a, b, c);
-    // Rounding at 1e-16 of the tip's distance, amplified by longest/height <= 100.
+    // Rounding at 1e-16 of the tip's distance, multiplied by longest side / height <= 100.
     EXPECT_LE((found.point.cast<long double>() - nearest.point).norm(), 2e-13L);
     EXPECT_NEAR(std::sqrt(found.squaredDistance), static_cast<double>(nearest.distance), 2e-14);
   }
   for (const int count : features)
   {
-    EXPECT_GT(count, 500); // every region was visited
+    EXPECT_GT(count, 500); // each feature occurs
   }
 }
 
@@ -93,7 +94,7 @@ TEST(TriangleProjection, WeightsAreAreas)
       continue;
     }
     ++onFace;
-    // Equation 4: the area opposite a corner over the whole.
+    // Equation 4 of Mahvash and Hayward: the area opposite a corner divided by the whole area.
     EXPECT_NEAR(found.weights[0], areaOf(found.point, b, c) / area, 1e-14);
     EXPECT_NEAR(found.weights[1], areaOf(found.point, c, a) / area, 1e-14);
     EXPECT_NEAR(found.weights[2], areaOf(found.point, a, b) / area, 1e-14);
@@ -147,8 +148,8 @@ TEST(TriangleProjection, NamesTheFeature)
 
 TEST(TriangleProjection, Slivers)
 {
-  // Needles and caps whose height is `thin` times their length, with any order of corners, and tips
-  // near and far.
+  // Triangles with one short side or one wide angle whose height is `thin` times their length, with
+  // any order of corners, and tips near and far.
   std::mt19937 random(4);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (const double thin : { 1e-3, 1e-5, 1e-7, 1e-8, 1e-9, 1e-11, 1e-13 })
@@ -176,7 +177,7 @@ TEST(TriangleProjection, Slivers)
       worst = std::max(
         worst, std::abs(std::sqrt(found.squaredDistance) - static_cast<double>(nearest.distance)));
     }
-    // A sliver of height h is a segment to within h. Above that, rounding of cross products moves
+    // A sliver of height h is a segment to within h. For larger h, rounding of cross products moves
     // the foot by 1e-16/h.
     EXPECT_LE(worst, std::min(thin, 1e-14 / thin) + 1e-14) << thin;
   }
@@ -190,7 +191,7 @@ TEST(TriangleProjection, OnAFaceInlineIsTheSameToTheBit)
   {
     const Vector3 a = randomPoint(random, 1.0);
     const Vector3 b = randomPoint(random, 1.0);
-    // One in four is a sliver.
+    // Every fourth triangle is a sliver.
     const Vector3 c =
       i % 4 == 0 ? Vector3(b + 1e-6 * randomPoint(random, 1.0)) : randomPoint(random, 1.0);
     const Vector3 tip = randomPoint(random, 1.0);
@@ -211,12 +212,13 @@ TEST(TriangleProjection, OnAFaceInlineIsTheSameToTheBit)
       ASSERT_EQ(found.feature, TriangleFeature::Face);
       continue;
     }
-    // The foot on the plane is beyond that edge.
+    // The foot on the plane is beyond this edge.
     const std::array<Vector3, 3> corner{ a, b, c };
     const auto edge = static_cast<std::size_t>(foot);
     const Vector3 along = corner[(edge + 1) % 3] - corner[edge];
     const Vector3 inward = (b - a).cross(c - a).cross(along);
-    ASSERT_LE((tip - corner[edge]).dot(inward), 1e-12); // rounding of products of lengths about 1
+    // rounding of products of lengths of about 1
+    ASSERT_LE((tip - corner[edge]).dot(inward), 1e-12);
   }
   EXPECT_GT(onFace, 1000);
   TriangleProjection untouched;

@@ -32,7 +32,8 @@ void expectSame(const SurfacePoint& found, const SurfacePoint& expected)
   EXPECT_EQ(found.projection.weights, expected.projection.weights);
 }
 
-/// Tips that move in small steps, jump, or are equally near to several triangles, to the last bit.
+/// Compares with the tree for tips that move in small steps, tips that jump, and tips that are
+/// equally near to several triangles, to the last bit.
 void compareWithTree(const Surface& body, double size, double grid)
 {
   const PackedMesh mesh = body.packed();
@@ -50,7 +51,7 @@ void compareWithTree(const Surface& body, double size, double grid)
       case 0: // small steps, in and out
         tip += 0.02 * size * step;
         break;
-      case 1: // under and above corners and edges
+      case 1: // below and above corners and edges
         tip = anyPoint();
         tip[static_cast<Eigen::Index>(random() % 3)] += grid * (static_cast<int>(random() % 9) - 4);
         break;
@@ -97,8 +98,8 @@ TEST(TriangleSearch, SurvivesAnyTip)
   EXPECT_EQ(TriangleSearch(empty).closestLocal(inside).triangle, -1);
 }
 
-/// No bound exceeds the distance by more than its stated tolerance, and the bounds are useful, not
-/// trivially small.
+/// No bound exceeds the distance by more than its stated tolerance. The bounds are close enough to
+/// be useful.
 TEST(TriangleBound, IsABound)
 {
   std::mt19937 random(5);
@@ -107,7 +108,7 @@ TEST(TriangleBound, IsABound)
   double sumOfDistances = 0.0;
   for (int i = 0; i < 100000; ++i)
   {
-    // From triangles as large as their distance from the origin to slivers and tiny ones.
+    // Triangles as large as their distance from the origin, slivers, and tiny triangles.
     const float offset = i % 2 ? 100.0F : 0.0F;
     const float size = std::pow(10.0F, 1.0F + 2.5F * share(random));
     const float thin = i % 5 ? 1.0F : std::pow(10.0F, -3.0F - 3.0F * share(random));

@@ -23,7 +23,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
   const PackedMesh mesh = body.packed();
   const TriangleTree tree(mesh);
   const std::vector<std::int32_t> all = allTriangles(body);
-  // Rounding of the coordinates.
+  // Tolerance for the rounding of the coordinates.
   const double tolerance = 1e-12 * diagonal(body);
   const Eigen::AlignedBox3d box = boxOf(body);
   std::mt19937 random(7);
@@ -35,7 +35,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
     {
       tip[k] = box.min()[k] + share(random) * box.sizes()[k];
     }
-    if (i % 10 == 0) // a point of the body itself, at distance zero
+    if (i % 10 == 0) // a point of the body itself, at the distance zero
     {
       tip = body.points[static_cast<std::size_t>(i) % body.points.size()];
     }
@@ -43,7 +43,7 @@ void compareWithAllTriangles(const Surface& given, int tips)
     const Nearest nearest = nearestOf(body, tip, all);
     ASSERT_GE(found.triangle, 0);
     EXPECT_NEAR(std::abs(found.signedDistance), static_cast<double>(nearest.distance), tolerance);
-    // The returned point is on the returned triangle and at that distance.
+    // The returned point is on the returned triangle at the returned distance.
     const Nearest there =
       nearestOf(body, found.projection.point, { mesh.inputTriangle(found.triangle) });
     EXPECT_LE(static_cast<double>(there.distance), tolerance);
@@ -74,7 +74,7 @@ TEST(TriangleTree, FewTriangles)
 
 TEST(TriangleTree, ManyTrianglesAtOnePlace)
 {
-  // Equal centres cannot be split by position; the construction must still end.
+  // Triangles with equal centres cannot be split by position; the construction must still end.
   Surface pile;
   for (std::int32_t i = 0; i < 300; ++i)
   {
@@ -98,7 +98,7 @@ TEST(TriangleTree, TipsThatAreNotFinite)
 
 TEST(TriangleTree, ATriangleForEveryFiniteTip)
 {
-  // From distances whose squares exceed a float, to differences so small that their squares vanish.
+  // Sizes and distances from those whose squares exceed a float to those whose squares vanish.
   constexpr double far = palpate::SoundMesh::LargestCoordinate;
   for (const double size : { 1e-40, 1e-20, 1.0, 1e10, 0.9 * far })
   {
@@ -110,7 +110,8 @@ TEST(TriangleTree, ATriangleForEveryFiniteTip)
     {
       const SurfacePoint found = tree.closest(Vector3(-distance, distance, 0.5 * distance));
       EXPECT_GE(found.triangle, 0) << size << ' ' << distance;
-      // Tolerance: half the body's size. The sphere has 80 facets, and from far away it is a point.
+      // Tolerance: half of the body's size. The sphere has 80 facets, and at a large distance it is
+      // nearly a point.
       EXPECT_NEAR(found.signedDistance, 1.5 * distance - size, 0.5 * size + 1e-9 * distance)
         << size << ' ' << distance;
     }
@@ -128,15 +129,16 @@ TEST(TriangleTree, OnePointBeyondAllDoesNotSpoilTheBody)
     EXPECT_EQ(mesh.defects().notFinite, 1U);
     EXPECT_EQ(mesh.centre(), Vector3::Zero());
     const Vector3 tip = 1.5 * body.points.front();
-    EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) // floats of 20 mm
-      << beyond;
+    // rounding of coordinates of 20 mm to floats
+    EXPECT_NEAR(TriangleTree(mesh).closest(tip).signedDistance, 10.0, 1e-5) << beyond;
   }
 }
 
 TEST(TriangleTree, ABodyWhoseBoundsDoNotFitAFloat)
 {
-  // Sixth powers of these lengths overflow. An infinite bound must not hide the long triangle, one
-  // edge of which is the y axis, behind the other. Either may be visited first.
+  // Sixth powers of these lengths overflow. One edge of the long triangle is the y axis. An
+  // infinite bound must not hide the long triangle behind the other one. Either triangle may be
+  // visited first.
   for (const double length : { 4e9, -4e9 })
   {
     Surface body;
@@ -146,7 +148,8 @@ TEST(TriangleTree, ABodyWhoseBoundsDoNotFitAFloat)
     const PackedMesh mesh = body.packed();
     const SurfacePoint found = TriangleTree(mesh).closest(Vector3(-1.0, 0.5, 2.0));
     EXPECT_EQ(mesh.inputTriangle(found.triangle), 1);
-    // 1e-12: the mesh's centre is a float near the body's centre; the rest is exact.
+    // 1e-12, because the centre of the mesh is a float near the body's centre; everything else is
+    // exact.
     EXPECT_NEAR(std::abs(found.signedDistance), std::sqrt(5.0), 1e-12) << length;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact on meshes with typical defects: slivers, triangles without area, duplicate points,
-// flipped triangles, edges of four triangles, bodies within bodies. The force is F = 10 δ^1.5 N.
+// reversed triangles, edges of four triangles, bodies within bodies. The force is F = 10 δ^1.5 N.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -14,9 +14,9 @@ namespace palpate::testing
 {
 namespace
 {
-/// A plate whose rows of points have random distances, down to a hundred-thousandth of those of the
-/// columns: needles, caps and squares next to each other. Some rows appear two times, with no area
-/// between.
+/// A plate whose rows of points have random distances, down to a hundred-thousandth of the
+/// distances of the columns: needles, caps and squares next to each other. Some rows occur twice,
+/// without area in between.
 Surface sliverPlate(int rows)
 {
   std::mt19937 random(17);
@@ -42,7 +42,7 @@ Surface sliverPlate(int rows)
   return body;
 }
 
-/// Separate corners for every triangle, and every third triangle flipped.
+/// Separate corners for each triangle, with every third triangle reversed.
 Surface brokenUp(const Surface& body)
 {
   Surface apart;
@@ -60,14 +60,15 @@ Surface brokenUp(const Surface& body)
   return apart;
 }
 
-/// Two boxes that share the four points of the face between them. The face is in both boxes, so
-/// four triangles meet at each edge around it.
+/// Two boxes with the four points of the face between them in common. Both boxes contain this face,
+/// so four triangles meet at each of its edges.
 Surface twoCellsOfAGrid()
 {
   Surface body = block(10, 10, 10);
   body.points.insert(
     body.points.end(), { { 20, 0, 0 }, { 20, 10, 0 }, { 20, 0, 10 }, { 20, 10, 10 } });
-  // Box 0..7: (0,0) (10,0) (10,10) (0,10) below, then above. The second box: 1, 8, 9, 2 below.
+  // Points of the first box: 0 to 7, (0,0) (10,0) (10,10) (0,10) below, then above. Lower face of
+  // the second box: 1, 8, 9, 2.
   const std::array<std::int32_t, 8> second = { 1, 8, 9, 2, 5, 10, 11, 6 };
   const Surface one = body;
   for (const auto& t : one.triangles)
@@ -88,8 +89,8 @@ TEST(UnkindMesh, SliversAreAsGoodAsSquares)
   EXPECT_EQ(body->surface.defects().nonManifoldEdges, 0U);
   const double length = surface.points.back().y();
   ASSERT_GT(length, 5.0);
-  // Across all rows, 0.5 mm deep, along a line that meets every kind of triangle, in steps from
-  // much less to much more than a row.
+  // A path across all rows at a depth of 0.5 mm, which meets every kind of triangle. Its steps are
+  // from much smaller to much larger than a row.
   for (const double step : { 1e-4, 3e-3, 0.11 })
   {
     ToolContact contact(*body);
@@ -99,7 +100,7 @@ TEST(UnkindMesh, SliversAreAsGoodAsSquares)
       const double y = 0.05 * length + step * i;
       const Contact found = contact.update(Vector3(5.0 + 3.0 * std::sin(y), y, -0.5));
       ASSERT_EQ(found.state, ContactState::Slide) << y;
-      ASSERT_NEAR(found.deflection, 0.5, 1e-12); // the plate is also flat in float32
+      ASSERT_NEAR(found.deflection, 0.5, 1e-12); // the plate is flat also in float32
       // √ of the rounding of a squared distance, where two triangles are equally near.
       ASSERT_LE((found.contactPoint - Vector3(5.0 + 3.0 * std::sin(y), y, 0.0)).norm(), 1e-7);
       ASSERT_NEAR(found.force.z(), 10.0 * std::pow(0.5, 1.5), 1e-5);
@@ -109,8 +110,8 @@ TEST(UnkindMesh, SliversAreAsGoodAsSquares)
 
 TEST(UnkindMesh, BrokenUpItFeelsLikeOne)
 {
-  // A torus as separate triangles, with points three or six times and every third triangle flipped.
-  // After the repair the force is that of the torus with the responses of its points.
+  // A torus of separate triangles: each point occurs three or six times, and every third triangle
+  // is reversed. After the repair the force is that of the torus with the responses of its points.
   const Surface whole = torus(20.0, 6.0, 40, 20);
   const Surface broken = brokenUp(whole);
   ResponseStore store(whole.points.size());
@@ -146,17 +147,17 @@ TEST(UnkindMesh, BrokenUpItFeelsLikeOne)
     const Contact found = contact.update(tip);
     const Contact other = again.update(tip);
     ASSERT_EQ(found.state, other.state);
-    // Corners in another order round differently: 40 N/mm of 1e-14 mm.
+    // Corners in another order cause other rounding: 40 N/mm times 1e-14 mm.
     ASSERT_LE((found.force - other.force).norm(), 1e-11);
   }
 }
 
 TEST(UnkindMesh, WallsInside)
 {
-  // Two cells share a face: it is a wall for both, and its edges have four triangles. A tip moves
-  // 0.3 mm below the top across the wall. Near the wall the wall pushes it back, then the tip is
-  // through the wall, and then the top has it again. The force is always finite, zero only on the
-  // wall itself, and never pulls the tip deeper.
+  // Two cells have a common face, which is a wall for both; its edges have four triangles. A tip
+  // moves across the wall 0.3 mm below the top. Near the wall the force is that of the wall,
+  // elsewhere that of the top. The force is always finite, zero only on the wall itself, and never
+  // pulls the tip deeper.
   const Surface surface = twoCellsOfAGrid();
   EXPECT_EQ(surface.packed().defects().nonManifoldEdges, 4U);
   const auto body = uniformBody(surface);
@@ -176,10 +177,11 @@ TEST(UnkindMesh, WallsInside)
 
 TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
 {
-  // Two balls of 10 mm, 12 mm apart. Where both contain the tip, the ball that the tip entered
-  // first keeps the contact, even if the other's surface is nearer. A limitation: intersecting
-  // surfaces do not bound a volume. Just outside the first ball, but still in the second, the first
-  // ball's surface is nearest and there is no force, until the second ball's surface is nearer.
+  // Two balls of 10 mm with their centres 12 mm apart. Where both contain the tip, the ball that
+  // the tip entered first keeps the contact, even if the surface of the other ball is nearer. This
+  // has a limitation, because intersecting surfaces do not bound a volume: just outside the first
+  // ball, but still in the second, the surface of the first ball is nearest and there is no force,
+  // until the surface of the second ball is nearer.
   const Surface ball = icosphere(10.0, 4);
   const auto body = uniformBody(together(ball, ball, Vector3(12, 0, 0)));
   const auto first = static_cast<std::int32_t>(ball.triangles.size());
@@ -188,7 +190,8 @@ TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
   {
     const double x = -9.0 + 0.01 * i; // 0.5 mm from the line of centres
     const Contact found = contact.update(Vector3(x, 0.5, 0.0));
-    // Facets of 0.6 mm sag by h²/8R = 0.005 mm; x = 16 is half-way between the surfaces.
+    // Facets of 0.6 mm are h²/8R = 0.005 mm inside the ball; x = 16 is half-way between the
+    // surfaces.
     if (x < 9.97)
     {
       EXPECT_LT(found.triangle, first);
@@ -208,7 +211,7 @@ TEST(UnkindMesh, OverlappingBodiesKeepWhatTheyTouched)
 
 TEST(UnkindMesh, NoTriangleAtAllIsNoContact)
 {
-  // Found by fuzzing: a point without triangles was searched in an empty list.
+  // Found by fuzzing: for a point without triangles an empty list was searched.
   Surface points;
   points.points = { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0) };
   points.triangles = { { 0, 1, 1 } };

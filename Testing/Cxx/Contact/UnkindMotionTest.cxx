@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tip that is very far, very fast, or has no valid position: each tick gives a valid force, and
-// the next one is not affected.
+// A tip that is very far away, very fast, or without a valid position: each tick gives a valid
+// force and does not affect the next tick.
 #include "BruteForce.h"
 #include "BumpySphere.h"
 #include "SampleResponses.h"
@@ -15,12 +15,12 @@ namespace palpate::testing
 {
 namespace
 {
-/// A closed strip, 3 mm by 1 mm, `length` long, in cells of 0.1 mm by 1 mm. In the middle row of
-/// its top no triangle shares a corner with one of a side.
+/// A closed strip of 3 mm by 1 mm, `length` long, in cells of 0.1 mm by 1 mm. In the middle row of
+/// its top no triangle has a common corner with a triangle of a side.
 Surface longStrip(double length)
 {
   const int cells = static_cast<int>(std::lround(10.0 * length));
-  constexpr std::int32_t around = 8; // bottom from y = 0 to 3, top back from 3 to 0
+  constexpr std::int32_t around = 8; // points around: bottom from y = 0 to 3, then top from 3 to 0
   Surface body;
   for (std::int32_t i = 0; i <= cells; ++i)
   {
@@ -44,7 +44,7 @@ Surface longStrip(double length)
     body.triangles.push_back({ last + k, last + 7 - k, last + k + 1 });
     body.triangles.push_back({ last + k + 1, last + 7 - k, last + 6 - k });
   }
-  if (body.mesh().enclosedVolume() < 0.0) // for either winding of the code above
+  if (body.mesh().enclosedVolume() < 0.0) // makes the winding outward
   {
     for (auto& t : body.triangles)
     {
@@ -78,10 +78,12 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
       const Vector3& tip = tips[++next % tips.size()];
       const Contact found = contact.update(tip);
       EXPECT_EQ(found.state, ContactState::Slide);
-      EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip))); // as without a history
+      // same force as without a history
+      EXPECT_TRUE(sameForce(found, ToolContact(*body).update(tip)));
     }
   }
-  // If squares of distances exceed the range of a double there is no force and no damage.
+  // If squares of distances exceed the range of a double, there is no force, and the next contact
+  // is valid.
   for (const double far : { 1e155, 1e200, std::numeric_limits<double>::max() })
   {
     EXPECT_EQ(contact.update(Vector3(-far, far, far)).force, Vector3::Zero());
@@ -91,8 +93,8 @@ TEST(UnkindMotion, FarOutsideThenAnywhereInContact)
 
 TEST(UnkindMotion, TenMetresPerSecondIsFollowed)
 {
-  // 10 mm per tick across facets of 1.6 mm: the contact of each tick is that of a new tip at the
-  // same place, because the bumps are gentle (see BumpySphere.h).
+  // 10 mm per tick across facets of 1.6 mm. The contact of each tick is that of a new tip at the
+  // same place, because the curvature of the bumps is small (see BumpySphere.h).
   const auto body = uniformBody(bumpySphere(100));
   ToolContact contact(*body);
   for (const Vector3& tip : windingTips(500, 1.0, 10.0))
@@ -106,8 +108,8 @@ TEST(UnkindMotion, TenMetresPerSecondIsFollowed)
 
 TEST(UnkindMotion, AFastTipKeepsItsSideOfASlab)
 {
-  // 1 mm thick, entered at the top, 0.7 mm deep. In jumps of 20 mm, 200 cells each, the contact
-  // stays at the top, since MaximumSteps is large enough.
+  // A strip 1 mm thick, entered at the top, at a depth of 0.7 mm. With jumps of 20 mm, 200 cells
+  // each, the contact stays at the top, since MaximumSteps is large enough.
   static_assert(ContactTracker::MaximumSteps >= 256, "what the header says of the speed");
   const auto body = uniformBody(longStrip(100.0));
   ASSERT_EQ(body->surface.defects().borderEdges + body->surface.defects().nonManifoldEdges, 0U);
@@ -123,10 +125,9 @@ TEST(UnkindMotion, AFastTipKeepsItsSideOfASlab)
 
 TEST(UnkindMotion, ATipThatOutrunsTheStepsIsSearchedAnew)
 {
-  // 90 mm in a tick is 900 cells, more than MaximumSteps. At the place reached by the steps the
-  // distance would be tens of millimetres, which is not a deflection. So a new contact starts at
-  // the nearest surface: still the top at 0.3 mm, and the bottom at 0.7 mm, where a slower tip
-  // would have stayed with the top.
+  // 90 mm in a tick are 900 cells, more than MaximumSteps. The place that the steps reach would be
+  // tens of millimetres away, so a new contact begins at the nearest surface: the top at a depth of
+  // 0.3 mm, and the bottom at 0.7 mm, where a slower tip would have stayed at the top.
   const auto body = uniformBody(longStrip(100.0));
   for (const double depth : { 0.3, 0.7 })
   {
@@ -143,8 +144,8 @@ TEST(UnkindMotion, ATipThatOutrunsTheStepsIsSearchedAnew)
 
 TEST(UnkindMotion, ThrownThroughTheBodyIsOutside)
 {
-  // From the top of a fine sphere to 1 m below it: the path around it, 300 rows of triangles,
-  // exceeds the steps, and the place where they end is no contact.
+  // From the top of a fine sphere to 1 m below it. The path around the sphere, 300 rows of
+  // triangles, exceeds the steps, and the place at which they end is not a contact.
   const auto body = uniformBody(bumpySphere(150));
   ToolContact contact(*body);
   EXPECT_EQ(contact.update(Vector3(0.3, 0.2, 99.0)).state, ContactState::Slide);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slab, groove, edge, cone and saddle: the side that holds the tip, and the magnitude and direction
-// of the force. The tip is moved by hand. The force is F = 10 δ^1.5 N of the deflection up to 2 mm.
+// Slab, groove, edge, cone and saddle: the side at which the contact is, and the magnitude and
+// direction of the force. The path of the tip is given. The force is F = 10 δ^1.5 N up to a depth
+// of 2 mm.
 #include "BruteForce.h"
 #include "SampleResponses.h"
 #include "Contact/ToolContact.h"
@@ -14,7 +15,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// The law of the responses; beyond 2 mm the last tangent. Their samples are float32.
+/// The law of the responses; beyond 2 mm it continues as the last tangent. The samples are float32.
 double law(double depth)
 {
   return depth <= 2.0 ? 10.0 * std::pow(depth, 1.5)
@@ -29,8 +30,8 @@ void expectForce(const Contact& found, double depth, const Vector3& normal)
   EXPECT_LE((found.force - found.normalForce * found.normal).norm(), 1e-12 * found.normalForce);
 }
 
-/// A cone with a given half angle, its apex at the origin, pointing up, `height` high, closed by a
-/// flat bottom. It has `around` facets in `rings` rings of equal height.
+/// A cone with a given half angle and its apex at the origin, pointing up, `height` high, closed by
+/// a flat bottom. It has `around` facets in each of `rings` rings of equal height.
 Surface cone(double halfAngle, double height, int around, int rings)
 {
   Surface body;
@@ -66,8 +67,8 @@ Surface cone(double halfAngle, double height, int around, int rings)
 
 TEST(UnkindShapes, ThinSlabPushesBackAllTheWay)
 {
-  // 2 mm thick: the contact does not change sides at half of it, nor at the whole thickness. The
-  // tip leaves where it entered.
+  // A slab of 2 mm: the contact does not change sides at half of the thickness, nor at the whole
+  // thickness. The tip leaves where it entered.
   const auto body = uniformBody(subdivided(block(40, 40, 2), 4));
   ToolContact contact(*body);
   for (int i = 1; i <= 400; ++i)
@@ -77,15 +78,16 @@ TEST(UnkindShapes, ThinSlabPushesBackAllTheWay)
     expectForce(found, depth, Vector3::UnitZ());
     EXPECT_EQ(found.state, depth > 2.0 + 1e-6 ? ContactState::BeyondRange : ContactState::Slide);
   }
-  // Without its history a tip 1.5 mm deep is pushed out at the bottom.
+  // Without its history a tip at a depth of 1.5 mm has a force from the bottom.
   contact.reset();
   expectForce(contact.update(Vector3(19.3, 17.1, 0.5)), 0.5, -Vector3::UnitZ());
 }
 
 TEST(UnkindShapes, BottomOfAGroove)
 {
-  // A whole quarter of the directions under the bottom line belongs to it: distance from the line,
-  // and the normal of the line, half-way between the walls.
+  // Below the bottom line of the groove, tips within a quarter of a full turn have their closest
+  // point on the line. The depth is the distance from the line, and the normal is half-way between
+  // those of the walls.
   const auto body = uniformBody(subdivided(grooveBlock(), 3));
   ToolContact contact(*body);
   for (int i = -99; i <= 99; ++i)
@@ -107,8 +109,8 @@ TEST(UnkindShapes, WallsOfAGroove)
     ToolContact contact(*body);
     const Vector3 normal(-side * s, s, 0.0);
     const Vector3 along(side * s, s, 0.0);
-    // Up the wall, 7.07 mm long in 8 rows, 1 mm under it. The normal is that of the wall, except in
-    // the first and the last row, whose points at the edges have the mean of two faces.
+    // Up the wall, 7.07 mm long in 8 rows, at a depth of 1 mm. The normal is that of the wall,
+    // except in the first and the last row, whose points at the edges have the mean of two faces.
     double lastForce = 0.0;
     for (int i = -100; i <= 600; ++i)
     {
@@ -119,7 +121,8 @@ TEST(UnkindShapes, WallsOfAGroove)
       {
         expectForce(found, 1.0, normal);
       }
-      // No step: 0.01 mm at 15 N/mm from the bottom line on, then constant.
+      // There is no step: on the bottom line the force changes by 0.01 mm times 15 N/mm per tick,
+      // and then it is constant.
       EXPECT_NEAR(found.normalForce, i == -100 ? found.normalForce : lastForce, 0.16);
       EXPECT_GT(found.force.y(), 0.0);
       lastForce = found.normalForce;
@@ -129,9 +132,9 @@ TEST(UnkindShapes, WallsOfAGroove)
 
 TEST(UnkindShapes, AConvexEdgeIsPassedWhereTheSidesAreEquallyNear)
 {
-  // Facets of 5 mm: the edge is within the ring of the triangle, so the contact changes to the
-  // other face once that is nearer. The force turns by a right angle with equal magnitude. The only
-  // work is that of the turn.
+  // With facets of 5 mm the edge is within the ring of the triangle, so the contact changes to the
+  // other face as soon as this face is nearer. The force rotates by a right angle and keeps its
+  // magnitude.
   const auto body = uniformBody(subdivided(block(40, 40, 40), 3));
   ToolContact contact(*body);
   const double depth = 1.0;
@@ -152,9 +155,9 @@ TEST(UnkindShapes, AConvexEdgeIsPassedWhereTheSidesAreEquallyNear)
 
 TEST(UnkindShapes, AFineConvexEdgeHoldsOnLonger)
 {
-  // Facets of 0.625 mm and 2 mm deep: the first face keeps the tip, although the other is nearer
-  // from x = 2 on, until the edge is in the ring of its triangle. The reverse is the same: on the
-  // way back the side keeps the tip just as long.
+  // With facets of 0.625 mm and a depth of 2 mm the contact stays on the first face, although the
+  // other face is nearer from x = 2 on, until the edge is in the ring of its triangle. In the
+  // opposite direction the contact stays on the side in the same way.
   const Surface given = subdivided(block(10, 10, 10), 4);
   const double facet = 10.0 / 16.0;
   const auto body = uniformBody(given);
@@ -178,8 +181,9 @@ TEST(UnkindShapes, AFineConvexEdgeHoldsOnLonger)
 
 TEST(UnkindShapes, ConeTip)
 {
-  // Half angle 30°. A tip d deep next to the axis is d sin 30° (nearly: facets) under the flank and
-  // is pushed out normal to it: sideways more than up. The foot is d cos 30° down the flank.
+  // Half angle 30°. A tip at the distance d below the apex, next to the axis, is about d sin 30°
+  // below the flank (facets change this). The force is normal to the flank: more sideways than up.
+  // The closest point is d cos 30° down the flank.
   const double half = Pi / 6.0;
   const int around = 48;
   const auto body = uniformBody(cone(half, 20.0, around, 40));
@@ -200,13 +204,15 @@ TEST(UnkindShapes, ConeTip)
     const double depth = d * std::sin(facet) - 1e-3 * std::cos(facet);
     EXPECT_NEAR(found.deflection, depth, 1e-5);
     EXPECT_NEAR(found.normalForce, law(depth), 3e-4);
-    if (d * std::cos(facet) > 0.6) // past the first ring, which shares the normal of the apex
+    // beyond the first ring, which has the normal of the apex at one corner
+    if (d * std::cos(facet) > 0.6)
     {
       const Vector3 flank = std::cos(facet) * outward + std::sin(facet) * Vector3::UnitZ();
       EXPECT_LE((found.normal - flank).norm(), 0.066);
     }
   }
-  // Across the axis the contact changes flanks: the sideways force reverses, the upward one stays.
+  // Across the axis the contact changes to the other flank: the sideways force reverses, and the
+  // upward force keeps its value.
   const Contact before = contact.update(-3.0 * Vector3::UnitZ() + 0.01 * outward);
   const Contact after = contact.update(-3.0 * Vector3::UnitZ() - 0.01 * outward);
   EXPECT_LE((before.force - 2.0 * before.force.z() * Vector3::UnitZ() + after.force).norm(), 0.01);
@@ -215,7 +221,8 @@ TEST(UnkindShapes, ConeTip)
 
 TEST(UnkindShapes, Saddle)
 {
-  // The inner side of a torus: curvature 1/14 one way, -1/6 the other. 1 mm deep along and across.
+  // The inner side of a torus, with curvatures 1/14 and -1/6, at a depth of 1 mm in several
+  // directions.
   const double R = 20.0;
   const double r = 6.0;
   const Surface given = torus(R, r, 120, 60);
@@ -236,11 +243,12 @@ TEST(UnkindShapes, Saddle)
       };
       const Vector3 normal = at(r + 0.5) - at(r - 0.5);
       const Contact found = contact.update(at(r - 1.0));
-      // Facets: 1.05 mm along the hole, 0.63 mm around the tube. They are within h²/8R = 0.008 and
+      // Facets of 1.05 mm along the hole and 0.63 mm around the tube are within h²/8R = 0.008 and
       // 0.0082 of the torus, outside in one direction and inside in the other.
       EXPECT_NEAR(found.deflection, 1.0, 0.017);
       EXPECT_NEAR(found.normalForce, law(found.deflection), 3e-4);
-      // Normals: half the turn of a facet, at most 0.37/14 and 0.32/6, plus second-order blends.
+      // Normals differ by half the angle between facets, at most 0.37/14 and 0.32/6, plus blends of
+      // second order.
       EXPECT_LE((found.normal - normal).norm(), 0.06);
       EXPECT_NEAR(found.normalForce, last < 0.0 ? found.normalForce : last, 0.05);
       last = found.normalForce;

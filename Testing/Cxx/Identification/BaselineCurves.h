@@ -10,16 +10,16 @@
 
 namespace palpate::testing
 {
-/// Hertz's paraboloid of 3 mm on a half-space, pressed in by 0.4 mm after an approach. The noise is
-/// 0.1 % of the largest force; offset and drift are fractions of it (per mm).
+/// A press of Hertz's paraboloid of 3 mm by 0.4 mm into a half-space, after an approach. Noise,
+/// offset and drift are relative to the largest force (the drift per mm); the noise is 0.001.
 struct Approach
 {
   static constexpr double Modulus = 0.05; ///< E*, MPa
   static constexpr double Depth = 0.4;    ///< mm
   static constexpr double Noise = 0.001;
 
-  double length = 1.0; ///< mm
-  int before = 200;    ///< readings
+  double length = 1.0; ///< length of the approach, mm
+  int before = 200;    ///< readings before the contact
   int inContact = 80;
   double offset = 0.0;
   double drift = 0.0;

@@ -42,7 +42,7 @@ TEST(BodyIdentification, FindsAHalfSpaceAndItsContactPointExactly)
   EXPECT_TRUE(
     agrees(body.reducedModulus.value, Modulus, 1e-8)); // end criterion of Levenberg and Marquardt
   EXPECT_NEAR(body.contactOffset[0].value, 0.37, 1e-8);
-  // The data end at the last reading within small strain, a/R <= 0.4, which is δ <= 0.16 R.
+  // The data end at the last reading within small strain: a/R <= 0.4, which is δ <= 0.16 R.
   const double step = readings.depth / readings.count / 0.85;
   const double end = (std::floor(0.16 * R / step - 0.5) + 0.5) * step;
   EXPECT_TRUE(agrees(body.endForce, 4.0 / 3.0 * Modulus * std::sqrt(R) * std::pow(end, 1.5), 1e-7));
@@ -58,7 +58,8 @@ TEST(BodyIdentification, FindsTheGlobalCompliance)
       BodyIdentification({}).identify({ series(*tip, compliance, Readings{}) });
     ASSERT_EQ(body.refusal, "") << compliance;
     EXPECT_EQ(body.body.model, BodyModel::GlobalCompliance);
-    // The fit ends at 1e-11 of a step. E* and C_g compensate each other by a factor of about 100.
+    // The fit ends at relative steps of 1e-11. An error of E* is compensated by C_g, which
+    // multiplies it by about 100.
     EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6));
     EXPECT_TRUE(agrees(body.compliance.value, compliance, 1e-6));
     EXPECT_NEAR(body.contactOffset[0].value, 0.0, 1e-7);
@@ -79,7 +80,8 @@ TEST(BodyIdentification, FindsTheLayer)
       *tip, [&](double d) { return layer.evaluate(d, Modulus).force; }, readings, random) });
     ASSERT_EQ(body.refusal, "") << thickness;
     EXPECT_EQ(body.body.model, BodyModel::Layer);
-    EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6)); // as above
+    // same tolerance as with a compliance
+    EXPECT_TRUE(agrees(body.reducedModulus.value, Modulus, 1e-6));
     EXPECT_TRUE(agrees(body.thickness.value, thickness, 1e-6));
     EXPECT_NEAR(body.contactOffset[0].value, -0.2, 1e-7);
   }
@@ -109,7 +111,8 @@ TEST(BodyIdentification, RefusesAFlatAlone)
     halfSpace.model = BodyModel::HalfSpace;
     const IdentifiedBody body2 = BodyIdentification(halfSpace).identify({ curve });
     EXPECT_EQ(body2.refusal, "");
-    EXPECT_NEAR(body2.reducedModulus.value, Modulus, 0.02 * Modulus); // 0.001 N of 0.24 N, 60 times
+    // noise of 0.001 N of 0.24 N, 60 readings
+    EXPECT_NEAR(body2.reducedModulus.value, Modulus, 0.02 * Modulus);
   }
   // Two loads with the same punch give no more information than one.
   const IndentationCurve again = makeCurve(*flat, law, readings, random);
@@ -142,7 +145,8 @@ TEST(BodyIdentification, RefusesWhatNoBodyGives)
 {
   const auto tip = tool("paraboloid:6.35");
   std::mt19937 random(9);
-  // Softer with depth, which is impossible for an elastic body under a rounded tip.
+  // The stiffness falls with the depth, which is impossible for an elastic body under a rounded
+  // tip.
   const IndentationCurve yielding = makeCurve(
     *tip, [](double d) { return std::sqrt(d); }, Readings{}, random);
   const IdentifiedBody body = BodyIdentification({}).identify({ yielding });
@@ -165,7 +169,7 @@ TEST(BodyIdentification, RefusesWhatNoBodyGives)
 
 TEST(BodyIdentification, RefusesWhatNoiseHides)
 {
-  // 40 readings with noise of a tenth of the largest force: with an unknown C_g, E* cannot be
+  // 40 readings with noise of a tenth of the largest force. If C_g is unknown as well, E* cannot be
   // determined.
   const auto tip = tool("paraboloid:6.35");
   Readings readings;
@@ -173,7 +177,7 @@ TEST(BodyIdentification, RefusesWhatNoiseHides)
   readings.noise = 0.03;
   const IdentifiedBody body = BodyIdentification({}).identify({ series(*tip, 0.0, readings) });
   EXPECT_NE(body.refusal.find("E*"), std::string::npos) << body.refusal;
-  // Small strain ends at 1.016 of 1.5 mm.
+  // Small strain ends at a depth of 1.016 mm of 1.5 mm.
   EXPECT_NE(body.refusal.find("of 40 readings are not used"), std::string::npos) << body.refusal;
 }
 
@@ -186,8 +190,8 @@ TEST(BodyIdentification, ManyReadingsAreGrouped)
   const IdentifiedBody body = BodyIdentification({}).identify({ series(*tip, 3.0, readings) });
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::GlobalCompliance);
-  EXPECT_NEAR(body.noise, 0.003, 0.03 * 0.003);  // median of 20000: 1 %
-  EXPECT_NEAR(body.misfit, 0.003, 0.15 * 0.003); // from 200 groups: 5 %
+  EXPECT_NEAR(body.noise, 0.003, 0.03 * 0.003);  // error of the median of 20000 values: 1 %
+  EXPECT_NEAR(body.misfit, 0.003, 0.15 * 0.003); // error of the mean of 200 groups: 5 %
   EXPECT_LT(body.compliance.lower, 3.0);
   EXPECT_GT(body.compliance.upper, 3.0);
 }
@@ -206,7 +210,7 @@ TEST(ForceNoise, IsFoundUnderTheCurve)
     EXPECT_EQ(noise.degreesOfFreedom, 15.0);
     sum += noise.deviation / readings.noise;
   }
-  // Mean of 200 values with a spread of √(1/2·15) = 18 %: 1.3 %, three times; the median of 57
-  // itself has an error of 1 to 2 %.
+  // The mean of 200 values, each with a standard deviation of √(1/2·15) = 18 %, has one of 1.3 %;
+  // three of them are allowed. The median of 57 values has an error of 1 to 2 %.
   EXPECT_NEAR(sum / repeats, 1.0, 0.06);
 }

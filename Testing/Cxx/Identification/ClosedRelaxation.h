@@ -26,8 +26,8 @@ inline double kummerByQuadrature(double m, double x)
   return sum / (3.0 * steps);
 }
 
-/// A press at constant speed to `depth` in `ramp` s with a hold, for a slow curve c δ^m (Lee and
-/// Radok 1960).
+/// A press at constant speed to `depth` in `ramp` seconds and a hold, for a slow curve c δ^m (Lee
+/// and Radok 1960).
 struct RampAndHold
 {
   PronySeries series;
@@ -51,8 +51,8 @@ struct RampAndHold
   }
 };
 
-/// Pressed and released at one speed, `up` s each way, one branch: t1 by Lambert's function, then
-/// the form of the ramp (Ting 1966).
+/// Pressed and released at one speed, `up` seconds each way, with one branch of relaxation (Ting
+/// 1966): t1 from Lambert's function, then the formula of the ramp.
 struct Triangle
 {
   double p = 1.0;
@@ -73,7 +73,7 @@ struct Triangle
     {
       const double b = 2.0 * this->up - t +
         this->p * this->tau * (2.0 * std::exp(-(t - this->up) / this->tau) - 1.0);
-      // W(z) = w with w + ln w = ln z, by Newton's method.
+      // w = W(z) satisfies w + ln w = ln z, which is solved by Newton's method.
       const double logZ = std::log(this->p) + (b - t) / this->tau;
       double w = logZ > 1.0 ? logZ - std::log(logZ) : std::exp(logZ);
       for (int i = 0; i < 30; ++i)
@@ -92,8 +92,8 @@ struct Triangle
   }
 };
 
-/// ∫ψ(t-s) df(δ(s)) for a press at constant speed with a hold, for any slow curve: midpoint rule of
-/// f over steps of the press.
+/// ∫ψ(t-s) df(δ(s)) for a press at constant speed and a hold, for any slow curve f. By the midpoint
+/// rule over steps of the press.
 template <class Law>
 double rampAndHold(const Law& law, const PronySeries& series, double depth, double ramp, double t)
 {
@@ -122,7 +122,7 @@ inline std::vector<double> evenTimes(double seconds, int count)
   return times;
 }
 
-/// Evenly spaced during the press, then with growing intervals.
+/// Times of readings: evenly spaced during the press, then with growing intervals.
 inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp, int onHold)
 {
   std::vector<double> times = evenTimes(ramp, onRamp);
@@ -134,8 +134,8 @@ inline std::vector<double> rampAndHoldTimes(double ramp, double hold, int onRamp
   return times;
 }
 
-/// A curve as an instrument records it. It reads `offset` mm at first contact, after an approach
-/// from a tenth of the depth before.
+/// A curve as an instrument records it: it reads `offset` mm at first contact. Ten readings before
+/// the contact form the approach.
 template <class Deflection, class Force>
 MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& deflection,
   const Force& force, double offset, double noise, std::mt19937& random)
@@ -143,7 +143,7 @@ MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& def
   std::normal_distribution<double> normal;
   MeasuredCurve curve;
   const double start = times.front();
-  for (int i = 10; i >= 0; --i) // during the approach
+  for (int i = 10; i >= 0; --i) // the approach
   {
     curve.time.push_back(-start * i);
     curve.deflection.push_back(offset - i * deflection(start));
@@ -158,7 +158,7 @@ MeasuredCurve timedCurve(const std::vector<double>& times, const Deflection& def
   return curve;
 }
 
-/// The curve of a RampAndHold or a Triangle.
+/// The measured curve of a RampAndHold or a Triangle.
 template <class Press>
 MeasuredCurve timedCurve(const std::vector<double>& times, const Press& press, double offset,
   double noise, std::mt19937& random)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves whose energies are known in closed form: F = k δ in loading, so W = k δ²/2.
+// Curves whose energies have closed forms: F = k δ in loading, so W = k δ²/2.
 #include "Identification/CurvePreparation.h"
 
 #include "Agreement.h"
@@ -19,8 +19,8 @@ namespace
 constexpr int Steps = 100;
 constexpr double Depth = 2.0; // mm
 
-/// Appends a straight run between two depths with the given slope and `speed`, mm/s; with the last
-/// reading, without the first.
+/// Appends a straight part between two depths at `speed` mm/s, with F = stiffness × depth. It
+/// contains the last reading, but not the first.
 void run(MeasuredCurve& curve, double from, double to, double stiffness, double speed = 1.0)
 {
   const double start = curve.time.empty() ? 0.0 : curve.time.back();
@@ -33,8 +33,8 @@ void run(MeasuredCurve& curve, double from, double to, double stiffness, double 
   }
 }
 
-/// A loop that loses `share` of the energy. The unloading is a straight line below the loading: F =
-/// k' δ with k' = (1 - share) k.
+/// A loop that loses the fraction `share` of the energy. The unloading is a straight line below the
+/// loading: F = k' δ with k' = (1 - share) k.
 MeasuredCurve cycle(double share, double stiffness = 3.0)
 {
   MeasuredCurve curve;
@@ -53,8 +53,8 @@ TEST(CurvePreparation, SeparatesTheLoadingAndMeasuresHysteresis)
     ASSERT_EQ(prepared.loads.size(), 1U);
     EXPECT_EQ(prepared.loads[0].deflection.size(), static_cast<std::size_t>(Steps));
     EXPECT_EQ(prepared.loads[0].deflection.back(), Depth);
-    // Both branches are straight, except for the step from one to the other at the turning point,
-    // which belongs to neither: 1 % of the depth.
+    // Both branches are straight. The step from one to the other at the turning point, 1 % of the
+    // depth, belongs to neither branch.
     EXPECT_NEAR(prepared.hysteresis, share, 2e-3);
     EXPECT_TRUE(agrees(prepared.loads[0].speed, 1.0, 1e-12));
   }
@@ -66,18 +66,18 @@ TEST(CurvePreparation, RefusesWhatIsNotElastic)
   const std::string lossy = prepareCurve(cycle(0.3), {}, prepared);
   EXPECT_NE(lossy.find("hysteresis"), std::string::npos) << lossy;
   EXPECT_NE(lossy.find("20.0 %"), std::string::npos) << lossy;
-  EXPECT_NEAR(prepared.hysteresis, 0.3, 4e-3); // as above
+  EXPECT_NEAR(prepared.hysteresis, 0.3, 4e-3); // same tolerance as for the branches above
   EXPECT_EQ(prepared.loads.size(), 1U);
   EXPECT_EQ(prepareCurve(cycle(0.3), { 0.4, 0.1 }, prepared), "");
   const std::string gains =
-    prepareCurve(cycle(-0.3), {}, prepared); // returns more energy than it received
+    prepareCurve(cycle(-0.3), {}, prepared); // the loop returns more energy than it received
   EXPECT_NE(gains.find("hysteresis"), std::string::npos) << gains;
 }
 
 TEST(CurvePreparation, ComparesSpeeds)
 {
-  // Two loads at one site. The second is ten times as fast and stiffer by a factor s: the relative
-  // difference of k δ²/2 from its mean is 2 (s-1)/(s+1).
+  // Two loads at one site. The second is ten times as fast and stiffer by a factor s. The
+  // difference of the energies k δ²/2, relative to their mean, is 2 (s-1)/(s+1).
   for (const double stiffer : { 1.0, 1.05, 1.3 })
   {
     MeasuredCurve curve;
@@ -96,7 +96,7 @@ TEST(CurvePreparation, ComparesSpeeds)
   run(same, 0.0, Depth, 4.0);
   PreparedCurve prepared;
   prepareCurve(same, {}, prepared);
-  EXPECT_TRUE(std::isnan(prepared.rateEffect)); // unknown from one speed
+  EXPECT_TRUE(std::isnan(prepared.rateEffect)); // one speed does not show the effect of the rate
   same.time.clear();
   prepareCurve(same, {}, prepared);
   EXPECT_TRUE(std::isnan(prepared.rateEffect));
@@ -106,7 +106,7 @@ TEST(CurvePreparation, FindsBranchesThroughNoiseAndHold)
 {
   MeasuredCurve curve;
   run(curve, 0.0, Depth, 3.0);
-  for (int i = 0; i < 50; ++i) // a hold while the force relaxes
+  for (int i = 0; i < 50; ++i) // a hold during which the force relaxes
   {
     curve.deflection.push_back(Depth);
     curve.force.push_back(3.0 * Depth - 0.04 * i);
@@ -115,7 +115,8 @@ TEST(CurvePreparation, FindsBranchesThroughNoiseAndHold)
   run(curve, Depth, 0.0, 2.6);
   run(curve, 0.0, Depth, 3.0);
   std::mt19937 random(3);
-  std::normal_distribution<double> noise(0.0, 0.002); // a tenth of a step
+  // 0.002 mm: a tenth of the step between readings
+  std::normal_distribution<double> noise(0.0, 0.002);
   for (double& deflection : curve.deflection)
   {
     deflection += noise(random);
@@ -128,7 +129,8 @@ TEST(CurvePreparation, FindsBranchesThroughNoiseAndHold)
     EXPECT_NEAR(static_cast<double>(load.force.size()), Steps, 3.0);
     for (std::size_t i = 0; i < load.force.size(); ++i)
     {
-      // The relaxed forces are up to 2 N lower; 0.03 N is 5 standard deviations of the deflection.
+      // Readings of the hold are up to 2 N lower. 0.03 N is 5 standard deviations of the
+      // deflection, times the stiffness.
       EXPECT_NEAR(load.force[i], 3.0 * load.deflection[i], 0.03);
     }
   }

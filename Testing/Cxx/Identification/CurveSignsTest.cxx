@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong signs and units: the curves are rejected with a message, never identified.
+// Curves with wrong signs or units are rejected with a message and are never identified.
 #include "Identification/CurveSigns.h"
 #include "Identification/MeasuredSite.h"
 
@@ -20,7 +20,8 @@ namespace
 {
 constexpr double Modulus = 0.05; // E*, MPa
 
-/// Hertz's paraboloid of 3 mm pressed in by 0.4 mm, after 0.2 mm of approach, and back.
+/// Hertz's paraboloid of 3 mm, pressed in by 0.4 mm after an approach of 0.2 mm, and released if
+/// `isReleased`.
 MeasuredCurve press(bool isReleased, double noise = 5e-5)
 {
   std::mt19937 random(1);
@@ -55,7 +56,7 @@ MeasuredCurve times(MeasuredCurve curve, double deflection, double force)
   return curve;
 }
 
-/// Expects a refusal that contains all these words.
+/// Expects a refusal that contains all of `words`.
 void refuse(const MeasuredCurve& curve, std::initializer_list<const char*> words)
 {
   const std::string refusal = identified(curve).refusal;
@@ -87,8 +88,8 @@ TEST(CurveSigns, CompressionThatIsNegativeIsAsked)
     refuse(times(curve, -1.0, 1.0), { "deflection falls", "forces rise", "negative: deflection" });
     refuse(times(curve, -1.0, -1.0), { "both negative", "negative: deflection, force" });
   }
-  // The message contains the numbers of the readings: 4/3 0.05 √3 0.4^1.5 = 0.0292 N, without the
-  // two readings that may be outliers, 0.01 mm each.
+  // The message states the range of the readings: 4/3 0.05 √3 0.4^1.5 = 0.0292 N, without the last
+  // two readings (0.01 mm apart), which may be outliers.
   refuse(times(press(false, 0.0), 1.0, -1.0), { "from 0 to -0.027", "from 1 to 1.58 mm" });
 }
 

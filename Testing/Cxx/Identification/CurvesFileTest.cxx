@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves files: the data that are read. A fault is reported with file and line, and no part of the
+// The data read from curves files. A fault is reported with file and line, and no part of a faulty
 // file is loaded.
 #include "Identification/CurvesFile.h"
 
@@ -22,7 +22,7 @@ std::string read(const std::string& text, MeasuredCurves& curves)
   return readCurves(stream, "press.csv", curves);
 }
 
-/// Expects that the text is rejected with this error and that the old content stays.
+/// Expects that the text is rejected with this error and that the previous content stays.
 void refuse(const std::string& text, const std::string& error)
 {
   MeasuredCurves curves;
@@ -130,7 +130,7 @@ TEST(CurvesFile, WithoutSitesIsOneCurve)
   MeasuredCurves curves;
   ASSERT_EQ(read(columns + "10,-0.5,50,0.1,1\n10,-0.5,50,0.2,2\n", curves), "");
   ASSERT_EQ(curves.curves.size(), 1U);
-  EXPECT_EQ(curves.curves[0].site, "(10, -0.5, 50)"); // as in a file of another tool
+  EXPECT_EQ(curves.curves[0].site, "(10, -0.5, 50)"); // the form that other tools write
   EXPECT_EQ(curves.curves[0].force, (std::vector<double>{ 1.0, 2.0 }));
   refuse(columns + "10,0,50,0.1,1\n10,0,51,0.2,2\n",
     "press.csv:4: has another position than the first row, but a file without the column 'site' "
@@ -216,7 +216,7 @@ TEST(CurvesFile, ReadsTablesAsItReadsFiles)
   const auto refuse = [&curves](const palpate::CurvesTable& wrong, const std::string& error)
   {
     EXPECT_EQ(readCurves(wrong, curves), error);
-    EXPECT_EQ(curves.curves.size(), 1U); // unchanged
+    EXPECT_EQ(curves.curves.size(), 1U); // the content is unchanged
   };
   palpate::CurvesTable wrong = table;
   wrong.field = [&rows](std::size_t row, std::size_t column)

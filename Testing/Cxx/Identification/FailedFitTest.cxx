@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of kinds that instruments record and that no model fits: each is rejected with a message,
-// and a failed fit is never used. Holds are those of Lee and Radok.
+// Curves of kinds that instruments record and that no model fits. Each is rejected with a message,
+// and a failed fit is never used. The forces of holds are those of Lee and Radok.
 #include "Identification/MeasuredSite.h"
 
 #include "ClosedRelaxation.h"
@@ -21,7 +21,8 @@ using palpate::testing::tool;
 
 namespace
 {
-/// A sphere of 5 mm, pressed 4 mm into a material with this exponent and held.
+/// A sphere of 5 mm, pressed 4 mm into a material whose force has the given exponent of the depth,
+/// and held.
 MeasuredCurve pressAndHold(double exponent, double noise = 0.002, unsigned seed = 1)
 {
   RampAndHold press;
@@ -59,7 +60,7 @@ MeasuredCurve from(const MeasuredCurve& curve, std::size_t first)
 
 TEST(FailedFit, HoldsAreRefusedInWords)
 {
-  for (const double exponent : { 1.0, 2.5, 3.5 }) // a sphere on a half-space has 1.5
+  for (const double exponent : { 1.0, 2.5, 3.5 }) // a sphere on a half-space has the exponent 1.5
   {
     for (const unsigned seed : { 1U, 2U })
     {
@@ -70,13 +71,13 @@ TEST(FailedFit, HoldsAreRefusedInWords)
   }
 }
 
-/// With a load before the first reading, strong noise, few readings, a drift.
+/// Curves with a load before the first reading, strong noise, few readings or a drift.
 TEST(FailedFit, WhateverComesIsIdentifiedOrRefused)
 {
   std::vector<MeasuredCurve> curves;
   const MeasuredCurve plain = pressAndHold(2.5);
-  curves.push_back(from(plain, 20)); // from 0.1 of the depth
-  curves.push_back(from(plain, 50)); // held from the first reading
+  curves.push_back(from(plain, 20)); // the curve begins at 0.1 of the depth
+  curves.push_back(from(plain, 50)); // the curve begins in the hold
   curves.push_back(pressAndHold(2.5, 0.3));
   curves.push_back(pressAndHold(2.5, 10.0));
   MeasuredCurve drifting = plain;
@@ -95,7 +96,7 @@ TEST(FailedFit, WhateverComesIsIdentifiedOrRefused)
   }
 }
 
-/// The stiffness grows faster with depth than on a half-space: C_g would be negative.
+/// The stiffness grows faster with depth than on a half-space, so C_g would be negative.
 TEST(FailedFit, ANegativeComplianceIsNoBody)
 {
   MeasuredCurve stiffening;

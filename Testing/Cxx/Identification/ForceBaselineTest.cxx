@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a curve before the contact: long, shifted, drifting, curved. The reference is Hertz's
-// closed form.
+// The part of a curve before the contact: long, with an offset, with a drift, or curved. The
+// reference is Hertz's closed form.
 #include "Identification/ArrangedReadings.h"
 #include "Identification/BodyIdentification.h"
 #include "Identification/MeasuredSite.h"
@@ -49,8 +49,9 @@ double halfWidth(const palpate::Estimate& estimate)
 }
 } // namespace
 
-/// 95 % intervals contain the true value 95 times in 100: for 200 repeats within three standard
-/// deviations of the binomial, 3 √(0.95 0.05/200) = 4.6 %. For 2000 see IdentificationCoverage.
+/// 95 % intervals contain the true value 95 times in 100. For 200 repeats three standard deviations
+/// of the binomial are allowed, 3 √(0.95 0.05/200) = 4.6 %. IdentificationCoverage has 2000
+/// repeats.
 TEST(ForceBaseline, IntervalsHoldTheTruth)
 {
   constexpr int repeats = 200;
@@ -71,7 +72,7 @@ TEST(ForceBaseline, IntervalsHoldTheTruth)
       const double unit = Approach::force(Approach::Depth);
       modulus += holds(body.reducedModulus, Approach::Modulus) ? 1 : 0;
       contact += holds(body.contactOffset[0], made.length) ? 1 : 0;
-      // The offset is stated at the estimated contact.
+      // The offset is that at the estimated contact.
       offset +=
         holds(body.forceOffset[0], unit * (made.offset + made.drift * body.baseline[0].reference))
         ? 1
@@ -86,7 +87,7 @@ TEST(ForceBaseline, IntervalsHoldTheTruth)
   }
 }
 
-/// The same noise with an offset, a drift, or a baseline of another length.
+/// Curves with the same noise and with an offset, a drift, or a baseline of another length.
 TEST(ForceBaseline, ChangesTheModulusByLessThanItsInterval)
 {
   const auto tip = tool("paraboloid:3");
@@ -104,24 +105,27 @@ TEST(ForceBaseline, ChangesTheModulusByLessThanItsInterval)
   {
     const IdentifiedBody body = identify(made);
     ASSERT_EQ(body.refusal, "") << made.offset << " " << made.drift << " " << made.length;
-    EXPECT_EQ(body.body.model, BodyModel::HalfSpace); // no layer is found
+    // noise and drift must not be identified as a layer
+    EXPECT_EQ(body.body.model, BodyModel::HalfSpace);
     EXPECT_TRUE(body.withinNoise);
     EXPECT_TRUE(holds(body.reducedModulus, Approach::Modulus));
     EXPECT_LT(std::abs(body.reducedModulus.value - plain.reducedModulus.value),
       halfWidth(plain.reducedModulus));
-    // Without a baseline fit the uncertainty of E* is 0.2 %; with it at most twice that.
+    // Without a fit of the baseline the uncertainty of E* is 0.2 %. With the fit it is at most
+    // twice as large.
     EXPECT_LT(halfWidth(body.reducedModulus), 2.0 * halfWidth(plain.reducedModulus));
   }
 }
 
-/// Readings are averaged over equal depths, for any number and position of readings before the
-/// contact.
+/// Readings are averaged over equal intervals of depth, for any number and position of readings
+/// before the contact.
 TEST(ForceBaseline, ReadingsAreGroupedByDepth)
 {
   const auto tip = tool("paraboloid:3");
   std::mt19937 random(3);
   IndentationCurve curve = approach(5.0, 5000, 0.0, 0.0).measure(*tip, random);
-  curve.deflection.insert(curve.deflection.begin(), 50000, 0.0); // a wait before the approach
+  // 50000 readings while the tool waits before the approach
+  curve.deflection.insert(curve.deflection.begin(), 50000, 0.0);
   curve.force.insert(curve.force.begin(), 50000, 0.0);
   const IndentationCurve arranged = arrangeReadings(curve, true);
   EXPECT_NEAR(arranged.start.depth, 5.0, 0.05);
@@ -133,11 +137,12 @@ TEST(ForceBaseline, ReadingsAreGroupedByDepth)
     inContact += arranged.deflection[i] >= 5.0 ? 1 : 0;
     readings += arranged.readings[i];
   }
-  // Each reading in contact is a group: they are 1/80 of the depth apart and a group is 1/145. The
-  // first one is grouped with those before.
+  // Each reading in contact is its own group, because the readings are 1/80 of the depth apart and
+  // a group is 1/145 of the depth. The first one is grouped with readings before the contact.
   EXPECT_EQ(inContact, 80);
   EXPECT_LE(arranged.force.size(), 200U);
-  EXPECT_NEAR(readings, 81 + 1600, 100); // over four times the depth of contact, 0.001 mm apart
+  // readings before the contact count over four times the depth of contact; they are 0.001 mm apart
+  EXPECT_NEAR(readings, 81 + 1600, 100);
 }
 
 TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
@@ -153,8 +158,8 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
   const BodyIdentification identification = halfSpace();
   const std::string refusal = identification.identify({ crooked }).refusal;
   EXPECT_NE(refusal.find("no model fits"), std::string::npos) << refusal;
-  // The largest accepted drift is a tenth of the largest force over the depth of contact: 0.25 of
-  // it per mm.
+  // The largest accepted drift changes the force by a tenth of its maximum over the depth of
+  // contact: 0.25 of the maximum per mm.
   for (const double drift : { 0.2, 0.4 })
   {
     const IdentifiedBody body =
@@ -164,8 +169,8 @@ TEST(ForceBaseline, WhatIsNoBaselineIsRefused)
   }
 }
 
-/// The energy of a loop is that of the net force: a loop that loses 5 % counts as elastic for any
-/// offset.
+/// The energy of a loop is computed from the force without its offset, so a loop that loses 5 %
+/// counts as elastic for any offset.
 TEST(ForceBaseline, DoesNotCountAsALoop)
 {
   for (const double offset : { 0.0, -0.5, 0.5 })
@@ -186,13 +191,14 @@ TEST(ForceBaseline, DoesNotCountAsALoop)
     site.curves.push_back({ "paraboloid:3", tool("paraboloid:3"), curve, {} });
     palpate::identifySite({}, halfSpace(), site);
     ASSERT_EQ(site.refusal, "") << offset;
-    // The offset is accurate to 0.01 % of the largest force; a branch ends within 1 % of the turn.
+    // The offset is accurate to 0.01 % of the largest force. The branches end within 1 % of the
+    // turning point.
     EXPECT_NEAR(site.curves[0].prepared.hysteresis, 0.05, 0.005) << offset;
     EXPECT_TRUE(holds(site.body.reducedModulus, Approach::Modulus));
   }
 }
 
-/// Too few readings before the contact: the drift counts as 0, and the remark states that.
+/// With too few readings before the contact the drift is taken as 0, and the remark states this.
 TEST(ForceBaseline, SaysWhatItDoesNotTell)
 {
   const auto tip = tool("paraboloid:3");

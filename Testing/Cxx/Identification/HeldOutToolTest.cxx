@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Identification with one tool and prediction for others. The measurements come from a
-// finite-element code that is independent of our laws (Data/Studies/calculix): one sphere
-// identifies, the held-out tools are predicted. Noise and an unknown offset are added to the
-// identifying curve. Testing/Studies/measured/run.py makes the whole table, including the cases
+// finite-element code that is independent of the library's laws (Data/Studies/calculix): one sphere
+// identifies the body, the held-out tools are predicted. Noise and an unknown offset are added to
+// the identifying curve. Testing/Studies/measured/run.py makes the whole table, including the cases
 // that fail.
 #include "Identification/BodyIdentification.h"
 #include "Identification/CurvesFile.h"
@@ -25,11 +25,11 @@ using palpate::testing::tool;
 namespace
 {
 constexpr double Modulus = 0.1 / (1.0 - 0.45 * 0.45); // E* of the computed bodies, MPa
-constexpr int Count = 120;                            // readings
+constexpr int Count = 120;                            // number of readings
 constexpr double Offset = 0.15;                       // mm
-constexpr double Noise = 0.002;                       // of the largest force
+constexpr double Noise = 0.002;                       // relative to the largest force
 
-/// A computed curve at any depth: between its points F/δ^1.5 is nearly linear over √δ.
+/// A computed curve, interpolated to any depth: between its points F/δ^1.5 is nearly linear in √δ.
 class ComputedCurve
 {
 public:
@@ -95,7 +95,7 @@ IdentifiedBody identify(const BodyIdentification& identification, const std::str
   return identification.identify({ ComputedCurve(name).measure(2002) });
 }
 
-/// Relative error of the force of a held-out tool at a depth.
+/// Relative error of the predicted force of a held-out tool at a depth.
 double error(const BodyIdentification& identification, const IdentifiedBody& body,
   const std::string& name, double depth)
 {
@@ -122,7 +122,7 @@ TEST(HeldOutTool, HalfSpace)
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::HalfSpace);
   EXPECT_NEAR(body.contactOffset[0].value, Offset, 0.01);
-  // The mesh has an error of 0.5 % of the force (mesh_error.csv); Neo-Hookean strain and noise add
+  // The mesh has an error of 0.5 % of the force (mesh_error.csv). Neo-Hookean strain and noise add
   // 1 % each.
   EXPECT_TRUE(palpate::testing::agrees(body.reducedModulus.value, Modulus, 0.02));
   EXPECT_NEAR(error(identification, body, "block-sphere1.6-neohooke", 0.25), 0.0, 0.025);
@@ -139,8 +139,8 @@ TEST(HeldOutTool, Layer)
   EXPECT_GE(body.thickness.upper, 10.0);
   EXPECT_LE(body.reducedModulus.lower, Modulus);
   EXPECT_GE(body.reducedModulus.upper, Modulus);
-  // E* and h compensate each other for the tool that measured them, but less for other tools: the
-  // prediction is as uncertain as E*. Model and mesh add 3 %.
+  // Errors of E* and h compensate each other for the tool that measured them, but less for other
+  // tools, so the prediction is as uncertain as E*. Model and mesh add 3 %.
   const double uncertain = body.reducedModulus.upper / body.reducedModulus.value - 1.0;
   EXPECT_LT(uncertain, 0.25);
   const double small = error(identification, body, "layer10-sphere1.6-neohooke", 0.25);
@@ -160,16 +160,16 @@ TEST(HeldOutTool, LayerWithoutNoise)
   ASSERT_EQ(body.refusal, "");
   EXPECT_EQ(body.body.model, BodyModel::Layer);
   EXPECT_TRUE(palpate::testing::agrees(body.thickness.value, 10.0, 0.05));
-  // 0.5 % from the mesh, 1 % from Neo-Hookean strain, as above.
+  // The mesh has an error of 0.5 %; Neo-Hookean strain adds 1 %.
   EXPECT_NEAR(error(identification, body, "layer10-sphere1.6-neohooke", 0.25), 0.0, 0.02);
   EXPECT_NEAR(error(identification, body, "layer10-flat1.6-neohooke", 0.3), 0.0, 0.02);
 }
 
 TEST(HeldOutTool, FailsOnAPlateNoThickerThanTheContact)
 {
-  // A plate of 4 mm that bends under a contact radius up to 2.5 mm: neither purely local nor purely
-  // global. The compliance absorbs a part of the contact's deflection, so a smaller tool is
-  // predicted too soft.
+  // A plate of 4 mm that bends under a contact with a radius of up to 2.5 mm. Its deflection is
+  // neither purely local nor purely global. The compliance takes a part of the local deflection, so
+  // the force of a smaller tool is predicted too small.
   IdentificationOptions options;
   options.poissonRatio = 0.3;
   const BodyIdentification identification(options);

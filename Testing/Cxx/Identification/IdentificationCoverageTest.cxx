@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals contain the true value 95 times in 100? Repeated experiments with
-// noise of 1 % of the largest force and an unknown contact point, fixed seeds. Also: how often the
-// right model is chosen, and whether the interval of another tool's predicted force is valid.
+// Checks that 95 % confidence intervals contain the true value 95 times in 100: repeated
+// experiments with noise of 1 % of the largest force and an unknown contact point, with fixed
+// seeds. Also checks how often the right model is chosen, and the interval of the force predicted
+// for another tool.
 #include "Identification/PredictedForceError.h"
 
 #include "Mechanics/Layers/LayerContact.h"
@@ -22,12 +23,12 @@ namespace
 {
 constexpr double Modulus = 0.05;   // MPa
 constexpr double Offset = 0.2;     // mm
-constexpr double OtherDepth = 1.0; // mm, of the other tool
+constexpr double OtherDepth = 1.0; // depth of the other tool, mm
 
 struct Truth
 {
   BodyModel model;
-  double second; ///< C_g or h
+  double second; ///< C_g, mm/N, or the thickness h, mm
 };
 
 struct Tally
@@ -35,7 +36,7 @@ struct Tally
   int modulus = 0;
   int second = 0;
   int offset = 0;
-  int felt = 0; ///< predicted for another tool
+  int felt = 0; ///< intervals of the other tool's force that contain the true force
   int chosen = 0;
 };
 
@@ -43,8 +44,8 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
   bool noiseGiven, bool modelGiven)
 {
   IdentificationOptions options;
-  options.largestUncertainty = 10.0; // every interval is checked
-  options.largestStrain = 100.0;     // the true law is linear at every depth
+  options.largestUncertainty = 10.0; // large, so that every interval is checked
+  options.largestStrain = 100.0;     // large, because the true law is linear at every depth
   if (modelGiven)
   {
     options.model = truth.model;
@@ -85,8 +86,8 @@ Tally repeat(const palpate::AxisymmetricTool& tip, const Truth& truth, int repea
   return tally;
 }
 
-/// 95 % of `count`, within three standard deviations of the binomial and 2 % for the error of the
-/// linearised problem.
+/// Expects 95 % of `count`, within three standard deviations of the binomial and 2 % for the error
+/// of the linearised problem.
 void expectNinetyFive(int held, int count, const char* what)
 {
   const double share = static_cast<double>(held) / count;
@@ -107,8 +108,8 @@ void check(const char* specification, const Truth& truth, int repeats, int choic
     expectNinetyFive(tally.offset, repeats, "offset");
     expectNinetyFive(tally.felt, repeats, "felt");
   }
-  // With free choice: the two tests at 1 % and three standard deviations rarely reject the true
-  // model.
+  // With a free choice of the model, the two tests at 1 % reject the true model rarely: three
+  // standard deviations are allowed.
   const Tally free = repeat(*tip, truth, choices, 80, false, false);
   std::printf("  chosen     %d of %d\n", free.chosen, choices);
   EXPECT_GE(free.chosen, 0.9 * choices);
@@ -125,8 +126,9 @@ TEST(IdentificationCoverage, GlobalCompliance)
   check("paraboloid:6.35", { BodyModel::GlobalCompliance, 6.0 }, 400, 40);
 }
 
-/// With readings before the contact, 2000 repeats: 93 to 97 %, four standard deviations of the
-/// binomial, 0.49 %. With free choice the two tests at 1 % rarely reject the half-space.
+/// Curves with readings before the contact, 2000 repeats: 93 to 97 %, which is four standard
+/// deviations of the binomial, 0.49 %. With a free choice of the model, the two tests at 1 % rarely
+/// reject the half-space.
 TEST(IdentificationCoverage, Baselines)
 {
   constexpr int repeats = 2000;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Do 95 % confidence intervals of bodies that relax contain the true value 95 times in 100?
-// Repeated tests with noise of 1 % of the largest force and an unknown contact point, fixed seeds.
-// The forces are those of Lee and Radok for a ramp and a hold, and of Ting for a triangle.
+// Checks that 95 % confidence intervals of relaxing bodies contain the true value 95 times in 100:
+// repeated experiments with noise of 1 % of the largest force and an unknown contact point, with
+// fixed seeds. The forces are those of Lee and Radok for a ramp and a hold, and of Ting for a
+// triangle.
 #include "Identification/RelaxingIdentification.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -27,12 +28,12 @@ constexpr double Offset = 0.2; // mm
 
 struct Tally
 {
-  int chosen = 0; ///< with the right number of branches
+  int chosen = 0; ///< repeats in which the right number of branches was chosen
   int modulus = 0;
   int offset = 0;
   std::array<int, PronySeries::LargestCount> strength{};
   std::array<int, PronySeries::LargestCount> time{};
-  std::vector<double> worst; ///< relative error of E* ψ over the window, for each repeat
+  std::vector<double> worst; ///< largest relative error of E* ψ over the window, for each repeat
 };
 
 /// Repeats the measurement of `clean` with noise of a hundredth of its largest force.
@@ -43,8 +44,8 @@ Tally repeat(const char* specification, double modulus, const PronySeries& truth
   const double noise = 0.01 * *std::max_element(clean.force.begin(), clean.force.end());
   IdentificationOptions options;
   options.model = palpate::BodyModel::HalfSpace;
-  options.largestUncertainty = 10.0; // every interval is checked
-  options.largestStrain = 100.0;     // the true law is linear at every depth
+  options.largestUncertainty = 10.0; // large, so that every interval is checked
+  options.largestStrain = 100.0;     // large, because the true law is linear at every depth
   options.noise = isNoiseGiven ? noise : 0.0;
   const BodyIdentification identification(options);
   std::mt19937 random(1966);
@@ -86,7 +87,7 @@ Tally repeat(const char* specification, double modulus, const PronySeries& truth
   return tally;
 }
 
-/// 95 % of `count`, within three standard deviations of the binomial (4.6 % for 200).
+/// Expects 95 % of `count`, within three standard deviations of the binomial (4.6 % for 200).
 void expectNinetyFive(int held, int count, const std::string& what)
 {
   const double share = static_cast<double>(held) / count;
@@ -98,7 +99,7 @@ void check(const char* specification, double modulus, const PronySeries& truth,
   const MeasuredCurve& clean, bool isNoiseGiven, int repeats)
 {
   Tally tally = repeat(specification, modulus, truth, clean, isNoiseGiven, repeats);
-  // A likelihood ratio at 1 %; the choice uses few elements.
+  // The choice is a likelihood-ratio test at 1 %, computed with few elements.
   EXPECT_GE(tally.chosen, 0.95 * repeats);
   int all = tally.modulus + tally.offset;
   expectNinetyFive(tally.modulus, tally.chosen, "E*");
@@ -110,8 +111,8 @@ void check(const char* specification, double modulus, const PronySeries& truth,
     expectNinetyFive(tally.time[k], tally.chosen, "time " + branch);
     all += tally.strength[k] + tally.time[k];
   }
-  // All parameters together: 93 to 97 %, plus a standard deviation of the binomial, 1.5 % for 200
-  // (the parameters are correlated).
+  // All parameters together: 93 to 97 %, plus one standard deviation of the binomial, 1.5 % for 200
+  // repeats. The parameters of a repeat are correlated.
   const double share =
     static_cast<double>(all) / (tally.chosen * static_cast<double>(2 + 2 * truth.count));
   std::nth_element(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Relaxation identified from loops and holds: from the tables of the reference sheet, and from the
-// closed forms of Lee, Radok and Ting.
+// closed forms of Lee and Radok and of Ting.
 #include "Identification/CommonRelaxation.h"
 #include "Identification/MeasuredSite.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -58,11 +58,11 @@ IdentificationOptions halfSpace()
 {
   IdentificationOptions options;
   options.model = BodyModel::HalfSpace;
-  options.largestStrain = 100.0; // the true law is linear at every depth
+  options.largestStrain = 100.0; // large, because the true law is linear at every depth
   return options;
 }
 
-/// The largest relative difference of E* ψ from the true value over the reported window.
+/// Largest relative error of E* ψ over the reported window.
 double worstRelaxation(const IdentifiedBody& body, double modulus, const PronySeries& truth)
 {
   double worst = 0.0;
@@ -87,8 +87,8 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
 {
   std::ifstream file(PALPATE_DATA_DIR "/Reference/rate/ident_ramp_hold_noisy.csv");
   std::string line;
-  std::getline(file, line); // description of the file
-  std::getline(file, line); // t_s,F_clean_N,F_noisy_N
+  std::getline(file, line); // first line: description of the file
+  std::getline(file, line); // second line: t_s,F_clean_N,F_noisy_N
   MeasuredCurve curve;
   for (double t = 0.0, clean = 0.0, noisy = 0.0; std::getline(file, line);)
   {
@@ -106,7 +106,7 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
   std::printf(
     "  %s: %.2f %%; %s\n", textOf(body.relaxation).c_str(), 100.0 * worst, body.remark.c_str());
-  // The sheet's own fits are within 1.0 % (the median of the worst).
+  // The sheet's own fits have errors with a median of 1.0 %.
   EXPECT_LT(worst, 0.01);
   EXPECT_TRUE(holds(body.reducedModulus, UnitModulus));
   for (std::size_t i = 0; i < 2; ++i)
@@ -114,13 +114,14 @@ TEST(RelaxationIdentification, RampAndHoldOfTheSheet)
     EXPECT_TRUE(holds(body.relaxationStrength[i], SheetSeries.strength[i])) << i;
     EXPECT_TRUE(holds(body.relaxationTime[i], SheetSeries.time[i])) << i;
   }
-  EXPECT_NEAR(body.noise, 0.0189143, 2e-3);          // from 500 readings: a tenth
-  EXPECT_NEAR(body.shortestTime, 0.05 / 15.0, 2e-4); // 2 % of the depth is noise
+  EXPECT_NEAR(body.noise, 0.0189143, 2e-3); // estimated from 500 readings, to a tenth
+  // the first 2 % of the depth are below the noise
+  EXPECT_NEAR(body.shortestTime, 0.05 / 15.0, 2e-4);
   EXPECT_NEAR(body.longestTime, 10.0, 0.1);
 }
 
 /// Standard errors against the Cramér-Rao bounds of the sheet, for noise of 1 % of the peak, at the
-/// times of its 500 readings.
+/// times of the sheet's 500 readings.
 TEST(RelaxationIdentification, IntervalsAreThoseOfCramerAndRao)
 {
   std::vector<double> times;
@@ -161,12 +162,13 @@ TEST(RelaxationIdentification, IntervalsAreThoseOfCramerAndRao)
     ASSERT_EQ(body.relaxation.count, 1U);
     const auto error = [](const palpate::Estimate& estimate)
     { return 0.5 * std::log(estimate.upper / estimate.lower) / palpate::Normal95; };
-    // 5 %, because the sheet takes its peak between two readings.
+    // Tolerance of 5 %, because the sheet takes the peak between two readings.
     EXPECT_TRUE(agrees(error(body.reducedModulus), at("sd_ln_f"), 0.05)) << at("tau1_s");
     EXPECT_TRUE(agrees(error(body.relaxationStrength[0]), at("sd_ln_p1"), 0.05)) << at("tau1_s");
     EXPECT_TRUE(agrees(error(body.relaxationTime[0]), at("sd_ln_tau1(or tau1)"), 0.05))
       << at("tau1_s");
-    EXPECT_TRUE(agrees(body.reducedModulus.value, UnitModulus, 1e-3)); // error of the elements
+    // 1e-3: error of the elements
+    EXPECT_TRUE(agrees(body.reducedModulus.value, UnitModulus, 1e-3));
   }
   EXPECT_EQ(checked, 6);
 }
@@ -192,7 +194,7 @@ TEST(RelaxationIdentification, TrianglesOfTheSheet)
   IdentificationOptions options = halfSpace();
   options.findContact = false;
   const IdentifiedBody body = identified("paraboloid:6.35", curves, options, { 0.05, 0.05 })
-                                .body; // small loops count as relaxation
+                                .body; // the limits of 0.05 make small loops count as relaxation
   ASSERT_EQ(body.refusal, "");
   ASSERT_EQ(body.relaxation.count, 2U);
   const double worst = worstRelaxation(body, UnitModulus, SheetSeries);
@@ -208,14 +210,14 @@ TEST(RelaxationIdentification, TrianglesOfTheSheet)
 
 namespace
 {
-/// Half the width of an interval over the value: that of its logarithm.
+/// Half the width of an interval of the logarithm, which is relative to the value.
 double halfWidth(const palpate::Estimate& estimate)
 {
   return 0.5 * std::log(estimate.upper / estimate.lower);
 }
 
-/// Within twice the 95 % interval: with fixed seeds a few estimates may be outside the interval
-/// itself.
+/// Expects the true value within twice the 95 % interval, because with fixed seeds a few true
+/// values are outside the interval.
 void expectNear(const palpate::Estimate& found, double truth, const char* what)
 {
   EXPECT_LT(std::abs(std::log(found.value / truth)), 2.0 * halfWidth(found) + 1e-12)
@@ -232,7 +234,7 @@ void expectSeries(const IdentifiedBody& body, const PronySeries& truth)
   }
 }
 
-/// A press at constant speed with a hold, for any slow curve; 200 readings.
+/// A press at constant speed and a hold, for any slow curve, with 200 readings.
 template <class Law>
 MeasuredCurve pressAndHold(const Law& law, const PronySeries& truth, double depth, double ramp,
   double hold, double offset, double noise, unsigned seed)
@@ -260,11 +262,12 @@ TEST(RelaxationIdentification, AnyToolFromAnyOffset)
     EXPECT_TRUE(body.withinNoise);
     expectNear(body.reducedModulus, modulus, specification);
     EXPECT_NEAR(body.contactOffset[0].value, 0.37,
-      body.contactOffset[0].upper - body.contactOffset[0].lower); // twice its interval
+      // twice the half-width of the interval
+      body.contactOffset[0].upper - body.contactOffset[0].lower);
     expectSeries(body, truth);
-    // 200 readings, where the sheet has 500, and an offset: twice the 1 % of the sheet.
+    // Twice the 1 % of the sheet: 200 readings in place of 500, and an unknown offset.
     EXPECT_LT(worstRelaxation(body, modulus, truth), 0.02) << specification;
-    // The data end at the largest depth, on the slow curve.
+    // The data end at the largest depth. The end force is that of the slow curve.
     EXPECT_TRUE(agrees(body.endForce,
       body.reducedModulus.value / modulus * law(1.5 + 0.37 - body.contactOffset[0].value), 1e-9));
     EXPECT_LT(halfWidth(body.reducedModulus), 0.05);
@@ -296,7 +299,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
   const auto kernel = std::make_shared<const palpate::LayerKernel>(0.5, palpate::LayerBase::Bonded);
   const palpate::LayerContact layer(*tip, kernel, thickness);
   const auto force = [&](double d) { return d > 0.0 ? layer.evaluate(d, modulus).force : 0.0; };
-  std::vector<double> table; // 0.005 mm apart: the reference evaluates 500 depths per reading
+  std::vector<double> table; // at steps of 0.005 mm; the reference evaluates 500 depths per reading
   for (int i = 0; i <= 300; ++i)
   {
     table.push_back(force(0.005 * i));
@@ -305,7 +308,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
   {
     const auto i = std::min<std::size_t>(static_cast<std::size_t>(d / 0.005), 299);
     const double share = d / 0.005 - static_cast<double>(i);
-    return table[i] + share * (table[i + 1] - table[i]); // 1e-5 of the largest force
+    return table[i] + share * (table[i + 1] - table[i]); // error: 1e-5 of the largest force
   };
   const PronySeries truth = relaxation({ { 0.7, 0.3 } });
   const MeasuredCurve curve = pressAndHold(law, truth, 1.5, 0.1, 10.0, 0.2, 0.002, 5);
@@ -319,7 +322,7 @@ TEST(RelaxationIdentification, ALayerThatRelaxes)
   expectSeries(body, truth);
 }
 
-/// Only a loop: loading and unloading of a cone and a sphere, by Ting.
+/// Only a loop, without a hold: loading and unloading of a cone and a paraboloid, by Ting.
 TEST(RelaxationIdentification, ALoopAlone)
 {
   for (const auto& [specification, m] : { std::pair{ "paraboloid:6.35", 1.5 }, { "cone:45", 2.0 } })
@@ -339,12 +342,12 @@ TEST(RelaxationIdentification, ALoopAlone)
     EXPECT_NEAR(
       body.contactOffset[0].value, 0.15, body.contactOffset[0].upper - body.contactOffset[0].lower);
     expectSeries(body, relaxation({ { 0.8, 0.3 } }));
-    EXPECT_NEAR(body.longestTime, 1.0, 0.03); // in contact until it turned back
+    EXPECT_NEAR(body.longestTime, 1.0, 0.03); // duration of the contact up to the turning point, s
   }
 }
 
-/// The rubber of Mahvash and Hayward at 1 mm/s, if it relaxes like rubber: by the sheet 4 to 5 %
-/// stiffer than the slow curve.
+/// The rubber of Mahvash and Hayward at 1 mm/s. If it relaxes as rubber does, its curve is 4 to 5 %
+/// stiffer than the slow curve (sheet).
 TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
 {
   const PronySeries rubber = relaxation({ { 0.05, 0.1 }, { 0.05, 3.0 } });
@@ -366,14 +369,15 @@ TEST(RelaxationIdentification, ThePressOfAPaperIsNotTheSlowOne)
   options.relaxation = rubber;
   const MeasuredSite site = identified("paraboloid:6.35", { curve }, options);
   ASSERT_EQ(site.refusal, "");
-  EXPECT_TRUE(agrees(site.body.reducedModulus.value, slow, 2e-4)); // 99 elements, 100 steps
+  // error of 99 elements and 100 steps
+  EXPECT_TRUE(agrees(site.body.reducedModulus.value, slow, 2e-4));
   EXPECT_EQ(textOf(site.body.relaxation), textOf(rubber));
   EXPECT_NE(site.body.remark.find("given"), std::string::npos);
-  // The same with an unknown contact point.
+  // The same fit with an unknown contact point.
   options.findContact = true;
   EXPECT_TRUE(agrees(
     identified("paraboloid:6.35", { curve }, options).body.reducedModulus.value, slow, 1e-3));
-  // Without times the curve counts as slow, and the remark states that.
+  // A curve without times counts as slow, and the remark states this.
   MeasuredCurve timeless = curve;
   timeless.time.clear();
   const IdentifiedBody body = identified("paraboloid:6.35", { timeless }, options).body;
@@ -391,18 +395,20 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
     return identified(
       "paraboloid:6.35", { pressAndHold(law, truth, 1.0, 0.1, hold, 0.0, 0.005, 3) }, halfSpace());
   };
-  // Three times slower than the hold: E* is undetermined, and the message asks for a longer hold.
+  // The second branch is three times as slow as the hold: E* cannot be determined, and the message
+  // asks for a longer hold.
   const MeasuredSite tooSlow = found(relaxation({ { 1.0, 0.3 }, { 1.0, 30.0 } }), 5.0);
   EXPECT_NE(tooSlow.refusal.find("hold longer"), std::string::npos)
     << tooSlow.refusal << tooSlow.body.remark;
-  // As slow as the hold: the interval is wide.
+  // The second branch is as slow as the hold: the interval is wide.
   const MeasuredSite slow = found(relaxation({ { 1.0, 0.3 }, { 0.4, 12.0 } }), 10.0);
   ASSERT_EQ(slow.refusal, "");
   EXPECT_NE(slow.body.remark.find("is longer than the test"), std::string::npos)
     << slow.body.remark;
   EXPECT_TRUE(holds(slow.body.reducedModulus, modulus));
   EXPECT_GT(halfWidth(slow.body.reducedModulus), 0.04);
-  // Faster than the ramp can resolve: the rest is found, and the window is stated.
+  // The first branch is too fast for the ramp: only the second branch is found, and the window is
+  // stated.
   const MeasuredSite fast = found(relaxation({ { 0.5, 0.0005 }, { 1.0, 0.5 } }), 10.0);
   ASSERT_EQ(fast.refusal, "");
   EXPECT_NE(fast.body.remark.find("times from 0.006"), std::string::npos) << fast.body.remark;
@@ -413,8 +419,8 @@ TEST(RelaxationIdentification, SaysWhatTheTestDoesNotTell)
     fast.body.remark.c_str());
 }
 
-/// Pressed and held beyond small strain, 0.16 R: the hold is not used, and the message states that.
-/// With a larger strain limit it is.
+/// Pressed and held at a depth beyond small strain, 0.16 R: the hold is not used, and the message
+/// states this. With a larger limit of the strain the hold is used.
 TEST(RelaxationIdentification, SaysThatAHoldIsTooDeep)
 {
   const auto tip = tool("paraboloid:6.35");
@@ -426,14 +432,14 @@ TEST(RelaxationIdentification, SaysThatAHoldIsTooDeep)
   const MeasuredSite deep = identified("paraboloid:6.35", { curve }, options);
   EXPECT_NE(deep.refusal.find("hold lies deeper than small strain allows"), std::string::npos)
     << deep.refusal;
-  options.largestStrain = 0.5; // 0.25 R
+  options.largestStrain = 0.5; // strain limit a/R = 0.5, which is a depth of 0.25 R
   const MeasuredSite site = identified("paraboloid:6.35", { curve }, options);
   ASSERT_EQ(site.refusal, "");
   expectNear(site.body.reducedModulus, 0.02, "E*");
   expectSeries(site.body, truth);
 }
 
-/// Noise of the deflection, a third of a per cent of the depth, as of an instrument.
+/// Noise of the deflection, as an instrument has it: a third of a per cent of the depth.
 TEST(RelaxationIdentification, NoiseOfTheDeflection)
 {
   const auto tip = tool("paraboloid:6.35");
@@ -449,11 +455,12 @@ TEST(RelaxationIdentification, NoiseOfTheDeflection)
   const IdentifiedBody body = identified("paraboloid:6.35", { curve }, halfSpace()).body;
   ASSERT_EQ(body.refusal, "");
   std::printf("  %s, E* %g\n", textOf(body.relaxation).c_str(), body.reducedModulus.value);
-  // Not the noise that the fit assumes: three times its 1 %.
+  // The fit assumes noise of the force. With noise of the deflection three times the usual error of
+  // 1 % is allowed.
   EXPECT_LT(worstRelaxation(body, 0.02, truth), 0.03);
 }
 
-/// Sites of one body share their times.
+/// Sites of one body get common relaxation times.
 TEST(RelaxationIdentification, SitesShareTimes)
 {
   std::vector<IdentifiedBody> bodies(3);
@@ -469,7 +476,7 @@ TEST(RelaxationIdentification, SitesShareTimes)
     return palpate::commonRelaxation(sites);
   };
   EXPECT_EQ(textOf(all(1).mean), textOf(bodies[0].relaxation));
-  // Equal times: exact, even with a site that does not relax.
+  // Equal times are merged exactly, even if one of the sites does not relax.
   const palpate::CommonRelaxation same = all(3);
   ASSERT_EQ(same.mean.count, 2U);
   EXPECT_LT(same.worst, 1e-9);
@@ -483,7 +490,8 @@ TEST(RelaxationIdentification, SitesShareTimes)
   EXPECT_EQ(same.strength[2][0], 0.0);
   EXPECT_NEAR(same.mean.strength[0], 0.6, 1e-9); // (0.6 + 1.2 + 0)/3
   EXPECT_NEAR(same.mean.time[0], 0.1, 1e-15);
-  // Times that differ by noise are merged. Times that differ more are kept, since they are few.
+  // Times that differ by noise are merged. Times that differ more are kept, as long as they are
+  // few.
   bodies[1].relaxation = relaxation({ { 0.63, 0.105 }, { 0.38, 2.1 } });
   bodies[2].relaxation = relaxation({ { 0.5, 0.01 }, { 0.5, 20.0 } });
   const palpate::CommonRelaxation other = all(3);
@@ -498,8 +506,8 @@ TEST(RelaxationIdentification, SitesShareTimes)
   EXPECT_EQ(all(3).mean.count, 0U);
 }
 
-/// Lawson and Hanson: no step along the edges of the feasible region reduces the sum (Karush, Kuhn,
-/// Tucker).
+/// The solution of Lawson and Hanson is a minimum: no step along the edges of the feasible region
+/// reduces the sum of squares (Karush, Kuhn, Tucker).
 TEST(RelaxationIdentification, NonNegativeLeastSquaresIsTheMinimum)
 {
   std::mt19937 random(5);
@@ -545,7 +553,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   {
     EXPECT_NE(site.refusal.find(words), std::string::npos) << site.refusal;
   }
-  // A loop that no relaxation can explain: on the way back the force of a spring of half the
+  // A loop that no relaxation can explain: in unloading the force is that of a spring of half the
   // stiffness, at any speed.
   MeasuredCurve plastic;
   for (int i = 0; i <= 200; ++i)
@@ -557,7 +565,7 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   }
   const MeasuredSite refused = identified("paraboloid:6.35", { plastic }, halfSpace());
   EXPECT_NE(refused.refusal.find("no model fits"), std::string::npos) << refused.refusal;
-  // A curve that returns more energy than it received cannot relax either.
+  // A loop that returns more energy than it received cannot be relaxation either.
   for (int i = 101; i <= 200; ++i)
   {
     plastic.force[static_cast<std::size_t>(i)] *= 6.0;
@@ -566,7 +574,8 @@ TEST(RelaxationIdentification, RefusesLoopsWithoutTimes)
   EXPECT_NE(gains.refusal.find("not the curve of an elastic body"), std::string::npos);
 }
 
-/// Within the limits a body is identified as elastic as before, to the bit, with or without times.
+/// Within the limits of hysteresis a body is identified as elastic. The results are bit for bit
+/// those from the loading alone, without times.
 TEST(RelaxationIdentification, ElasticCurvesAreIdentifiedAsBefore)
 {
   std::mt19937 random(2);
@@ -592,7 +601,7 @@ TEST(RelaxationIdentification, ElasticCurvesAreIdentifiedAsBefore)
   EXPECT_EQ(site.body.contactOffset[0].value, direct.contactOffset[0].value);
 }
 
-/// An instrument at 2 kHz: 20 000 readings are averaged where forces change little.
+/// An instrument at 2 kHz: 20 000 readings are averaged in parts where the force changes little.
 TEST(RelaxationIdentification, ManyReadings)
 {
   RampAndHold press;

@@ -19,7 +19,7 @@ using namespace palpate::testing;
 
 namespace
 {
-/// A tool with the modulus for which f = δ^m.
+/// A tool, and the modulus (E*, MPa) for which f = δ^m.
 struct Unit
 {
   const char* tool;
@@ -76,8 +76,8 @@ TEST(RelaxingFoundation, MeetsTheStopAndGoOfTing)
       worst = std::max(worst, std::abs(found[i] - table.number(row, column)));
     }
     std::printf("  m = %g: %.1e of the largest force\n", m, worst / largest);
-    // Gaps of 99 elements, second order: 16 elements have an error of 0.26 % for a cone, so 99 have
-    // 7e-5. Ticks of 1 ms during lift-off add the same.
+    // The error of n elements is of second order: 0.26 % for a cone with 16 elements, 7e-5 with 99.
+    // Steps of 1 ms during lift-off add the same.
     EXPECT_LT(worst, 1.5e-4 * largest);
   }
 }
@@ -103,12 +103,13 @@ TEST(RelaxingFoundation, MeetsTingInTables)
     ASSERT_NEAR(history.deflection.back(), at("delta"), 1e-9);
     const double m = at("m(f=delta^m)");
     const double found = forces(m, history, series).back();
-    // As above, relative to the largest force, which is at least that of the slow curve.
+    // Same error as for the stop-and-go history, relative to the largest force, which is at least
+    // that of the slow curve.
     EXPECT_NEAR(found, at("F"), 1.5e-4 * std::pow(at("v_up") * up, m)) << row;
   }
 }
 
-/// The closed forms used in the tests of the fits agree with the same table.
+/// The closed forms of the other tests agree with the same table.
 TEST(RelaxingFoundation, ClosedFormsOfTheTestsMeetTheTable)
 {
   const ReferenceTable table("rate/ting_golden.csv");
@@ -122,7 +123,7 @@ TEST(RelaxingFoundation, ClosedFormsOfTheTestsMeetTheTable)
       depth, at("t_up_end") };
     if (at("t_s") <= at("t_hold_end"))
     {
-      EXPECT_NEAR(held.forceAt(at("t_s")), at("F"), 1e-8) << row; // Simpson's rule
+      EXPECT_NEAR(held.forceAt(at("t_s")), at("F"), 1e-8) << row; // error of Simpson's rule
     }
     if (at("t_hold_end") == at("t_up_end"))
     {

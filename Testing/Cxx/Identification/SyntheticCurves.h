@@ -9,17 +9,17 @@
 
 namespace palpate::testing
 {
-/// Parameters of a synthetic curve: number of readings, zero of the instrument, noise of the force.
+/// Parameters of a synthetic curve.
 struct Readings
 {
   int count = 60;
-  double depth = 1.5;   ///< mm below first contact of the last reading
+  double depth = 1.5;   ///< depth of the last reading below first contact, mm
   double offset = 0.0;  ///< reading of the instrument at first contact, mm
-  double before = 0.15; ///< share of the readings before first contact
-  double noise = 0.0;   ///< N
+  double before = 0.15; ///< fraction of the readings that is before first contact
+  double noise = 0.0;   ///< of the force, N
 };
 
-/// A curve for a law F(δ), which may be any callable.
+/// Makes a curve for a law F(δ), which may be any callable.
 template <class Law>
 IndentationCurve makeCurve(
   const AxisymmetricTool& tool, const Law& law, const Readings& readings, std::mt19937& random)
@@ -37,8 +37,8 @@ IndentationCurve makeCurve(
   return curve;
 }
 
-/// Hertz's paraboloid of radius R in series with C, by bisection over the force on the closed form
-/// δ = (3F/4E*√R)^(2/3) + C F.
+/// Force of Hertz's paraboloid of radius R in series with a compliance C. By bisection over the
+/// force in the closed form δ = (3F/4E*√R)^(2/3) + C F.
 inline double hertzInSeries(double R, double modulus, double compliance, double depth)
 {
   double low = 0.0;

@@ -109,7 +109,7 @@ TEST(BodyMaterial, TheExponentIsTheTipsUntilTheBodyIsSoft)
   EXPECT_EQ(hard.bestExponent(*tool, law), 1.5);
   BodyMaterial soft(Usual);
   BodyMaterial::Values values;
-  values.compliance = { "C", { 1000.0 } }; // almost a spring
+  values.compliance = { "C", { 1000.0 } }; // mm/N: the body acts almost as a spring
   ASSERT_EQ(soft.take(std::move(values), 1), "");
   EXPECT_EQ(soft.bestExponent(*tool, law), 1.0);
 }

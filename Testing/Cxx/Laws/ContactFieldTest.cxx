@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The motion of a surface around a contact: a paraboloid on a plane by its closed form, modes by
-// hand.
+// The motion of a surface around a contact: a paraboloid on a plane against its closed form, modes
+// against values computed by hand.
 #include "Laws/ContactField.h"
 
 #include "Paraboloid.h"
@@ -21,7 +21,7 @@ namespace
 constexpr double Depth = 1.0;  // mm
 constexpr double Float = 2e-7; // rounding of a displacement of about 1 mm
 
-/// Displacement at r of a paraboloid (Johnson 1985, eq. 3.42).
+/// Displacement of the surface at the radius r under a paraboloid (Johnson 1985, eq. 3.42).
 double normalDisplacement(const Paraboloid& shape, double r)
 {
   const double a = std::sqrt(shape.radius * Depth);
@@ -85,7 +85,7 @@ TEST_F(Field, AParaboloidOnAPlane)
   const ContactField field = this->make(unitTriangle(), contact);
   EXPECT_NEAR(field.contactRadius(), 2.0, 1e-12); // √(R δ)
   SurfacePatch patch(mesh, contact.point, contact.normal, 0.0);
-  patch.enter(220); // the middle one of 21 x 21
+  patch.enter(220); // the middle point of 21 x 21
   std::vector<float> u(3 * mesh.pointCount(), 0.0F);
   ASSERT_TRUE(contactField(field, contact.normal, {}, patch, mesh.pointCount(), u.data()));
   for (std::size_t i = 0; i < mesh.pointCount(); ++i)
@@ -102,7 +102,7 @@ TEST_F(Field, EndsAtItsReachWithoutAnEdge)
 {
   const ContactField field = this->make(unitTriangle(), contactAt(Vector3::Zero()), 8.0);
   EXPECT_EQ(field.fade(6.0, 1.0), 1.0);
-  EXPECT_NEAR(field.fade(7.0, 1.0), 0.5, 1e-12); // half-way in a symmetric step
+  EXPECT_NEAR(field.fade(7.0, 1.0), 0.5, 1e-12); // half-way in a symmetric fade
   EXPECT_EQ(field.fade(8.0, 1.0), 0.0);
   EXPECT_EQ(field.fade(0.0, std::cos(Pi / 3.0) - 1e-9), 0.0);
   EXPECT_NEAR(field.fade(0.0, std::cos(Pi / 3.6)), 1.0, 1e-12);
@@ -137,7 +137,7 @@ TEST_F(Field, ModesTakeTheirShareOfTheDepth)
 
 TEST_F(Field, ModesMoveAllPointsAlikeInFloatsAndDoubles)
 {
-  constexpr std::size_t count = 30000; // several threads
+  constexpr std::size_t count = 30000; // enough for several threads
   FieldTriangle triangle = unitTriangle();
   triangle.modes.resize(2);
   for (FieldTriangle::Mode& mode : triangle.modes)
@@ -147,7 +147,7 @@ TEST_F(Field, ModesMoveAllPointsAlikeInFloatsAndDoubles)
   }
   const FieldContact contact = contactAt(Vector3::Zero());
   const ContactField field = this->make(triangle, contact);
-  EXPECT_TRUE(field.isEmpty()); // no depth remains for the field
+  EXPECT_TRUE(field.isEmpty()); // the modes take the whole depth
   std::vector<float> floats(3 * count);
   std::vector<double> doubles(3 * count);
   for (std::size_t i = 0; i < floats.size(); ++i)
@@ -204,19 +204,19 @@ TEST_F(Field, ANearFieldIsDrawnBesideTheDentOfItsForce)
   const double local = 0.7; // mm; deflection at which a half-space has this force
   contact.force = this->Tool->force(local, corner.reducedModulus);
   const ContactField field = this->make(triangle, contact);
-  EXPECT_NEAR(field.localDeflection(), local, 1e-7); // increasingRoot
+  EXPECT_NEAR(field.localDeflection(), local, 1e-7); // tolerance of increasingRoot
   const double a = field.contactRadius();
   EXPECT_NEAR(a, std::sqrt(this->Shape.radius * local), 1e-6);
   // Inside the contact the surface follows the tool.
   EXPECT_NEAR(field.near(Vector3::Zero()), Depth - local, 1e-7);
   EXPECT_NEAR(field.near(Vector3(0.9 * a, 0.0, 0.0)), Depth - local, 1e-7);
-  // At twice the radius: asin(1/2) = π/6, (1/2) √(3/4) = √3/4.
+  // At twice the contact radius: asin(1/2) = π/6 and (1/2) √(3/4) = √3/4.
   const double held = 2.0 / Pi * (Pi / 6.0 - std::sqrt(3.0) / 4.0);
   EXPECT_NEAR(field.near(Vector3(2.0 * a, 0.0, 0.0)),
     held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.02 * 2.0 * a), 1e-7);
   EXPECT_NEAR(field.near(Vector3(0.0, 2.0 * a, 0.0)),
     held * (Depth - local) + (1.0 - held) * contact.force * (0.1 + 0.003 * 4.0 * a * a), 1e-7);
-  // Beyond its radius it decays as 1/r².
+  // Beyond the radius of the near field the displacement decays as 1/r².
   EXPECT_NEAR(corner.at(Vector3(12.0, 0.0, 0.0)), 0.25 * (0.1 + 0.02 * 6.0), 1e-15);
 }
 
@@ -248,7 +248,8 @@ TEST(NearField, IsStoredAsItsNumbers)
 TEST_F(Field, APatchGoesOnBeyondASeam)
 {
   const BodyMesh mesh = makePlane(2, 1.0);
-  const FieldContact contact = contactAt(Vector3(100.0, 0.0, 0.0)); // on another piece
+  // on another piece of the surface
+  const FieldContact contact = contactAt(Vector3(100.0, 0.0, 0.0));
   const ContactField field = this->make(unitTriangle(), contact);
   SurfacePatch patch(mesh, contact.point, contact.normal, 0.0);
   std::vector<float> u(3 * mesh.pointCount(), 0.0F);

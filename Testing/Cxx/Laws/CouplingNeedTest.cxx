@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How near another tool must be to matter: closed forms of a half-space, the law of a layer.
+// Distance within which a second tool changes the force: closed forms of a half-space, the law of a
+// layer.
 #include "Laws/CouplingNeed.h"
 #include "Mechanics/Coupling/CouplingLaw.h"
 #include "Mechanics/Layers/LayerKernel.h"
@@ -15,7 +16,7 @@ namespace
 using namespace palpate;
 
 constexpr double Modulus = 0.2; // E*, MPa
-constexpr double Radius = 2.0;  // of a flat end, mm
+constexpr double Radius = 2.0;  // radius of the flat end, mm
 constexpr double Tolerance = 0.01;
 constexpr double InFloats = 1e-6;
 
@@ -55,7 +56,7 @@ TEST(CouplingNeed, OnAHalfSpaceItIsThatOfBoussinesq)
   EXPECT_NEAR(need.apart, 2.0 * Radius, InFloats * Radius);
   EXPECT_NEAR(need.change, 1.0 / Pi, InFloats); // 2E*a/(πE* 2a)
   EXPECT_NEAR(
-    need.reach, 2.0 * Radius / (Pi * Tolerance), 0.02 * need.reach); // a step of the search
+    need.reach, 2.0 * Radius / (Pi * Tolerance), 0.02 * need.reach); // 2 %: a step of the search
   const std::string words = couplingReason(need, flat.arrays.coupling, Tolerance);
   EXPECT_NE(words.find("127.4 mm change the force by more than 1 %"), std::string::npos) << words;
   EXPECT_NE(words.find("side by side (4 mm) by up to 32 %"), std::string::npos) << words;
@@ -90,7 +91,7 @@ TEST(CouplingNeed, ALayerEndsItSooner)
 TEST(CouplingNeed, ABodyThatGivesWayCouplesAtAnyDistance)
 {
   FlatEnd flat;
-  const std::vector<float> mode{ 0.2F }; // C = 0.04 mm/N, times 0.8 N/mm: 3.2 %
+  const std::vector<float> mode{ 0.2F }; // mode² = C = 0.04 mm/N, times 0.8 N/mm: 3.2 %
   flat.arrays.coupling.modes = mode.data();
   flat.arrays.coupling.modeCount = 1;
   const CouplingNeed need = couplingNeed(flat.arrays, Tolerance);

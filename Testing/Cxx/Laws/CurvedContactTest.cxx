@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body's sag in the law: a sphere on a sphere acts as a sphere, Hertz's ellipse, a flat end on
-// a ball.
+// The sag of a curved body in the law: a sphere on a sphere acts as one sphere, Hertz's ellipse, a
+// flat end on a ball.
 #include "Laws/LocalContact.h"
 #include "Laws/ResponseLaw.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -19,7 +19,7 @@ using palpate::testing::ReferenceTable;
 
 namespace
 {
-constexpr double Nodes = 1e-6; // cubic polynomials through 64 nodes
+constexpr double Nodes = 1e-6; // error of cubic polynomials through 64 nodes
 
 ContactSpot curved(double first, double second, double thickness = 0.0)
 {
@@ -41,7 +41,8 @@ double force(const ToolSpecification& tool, const ContactSpot& spot, double dept
 }
 } // namespace
 
-/// Parabolas add: 1/R + κ is the curvature of another paraboloid (Hertz 1882).
+/// The profiles of two paraboloids add: 1/R + κ is the curvature of another paraboloid (Hertz
+/// 1882).
 TEST(CurvedContact, AParaboloidOnABallIsASharperOne)
 {
   for (const double kappa : { -0.1, 0.05, 0.5 })
@@ -62,7 +63,8 @@ TEST(CurvedContact, OnALayerToo)
   const LayerContact exact(*sharper, std::make_shared<LayerKernel>(0.45, LayerBase::Bonded), 2.0);
   for (const double depth : { 0.05, 0.4, 1.0 })
   {
-    // Error of 64 nodes of two tables (1e-7) and of the sag between its own nodes.
+    // Sum of the error of two tables with 64 nodes each (1e-7) and that of the sag between its
+    // nodes.
     EXPECT_NEAR(force({ ToolShape::Paraboloid, 4.0 }, curved(0.15, 0.15, 2.0), depth) /
         exact.evaluate(depth, 1.0).force,
       1.0, 1e-4);
@@ -87,7 +89,7 @@ TEST(CurvedContact, UnequalCurvaturesAreHertzsEllipse)
   }
 }
 
-/// Until its rim is in contact a flat end on a ball acts as the ball; then F = 2 (aδ - a³κ/3).
+/// Until its rim touches the ball, a flat end acts as a plane on the ball; then F = 2 (aδ - a³κ/3).
 TEST(CurvedContact, AFlatEndOnABall)
 {
   constexpr double kappa = 0.1;
@@ -101,8 +103,8 @@ TEST(CurvedContact, AFlatEndOnABall)
   }
 }
 
-/// In full contact, on saddles, cylinders and in hollows, F = 2 (aδ - a³κ_m/3), with δ at its
-/// middle.
+/// In full contact, on saddles, on cylinders and in hollows, F = 2 (aδ - a³κ_m/3), with δ at the
+/// middle of the flat end.
 TEST(CurvedContact, AFlatEndInAHollowAndOnASaddle)
 {
   constexpr double a = 2.0;
@@ -135,8 +137,8 @@ TEST(CurvedContact, TheFirstOrderIsThatOfAnyTool)
     const double a = made->contactRadius(0.8);
     const double change =
       force(given, curved(1.5 * kappa, 0.5 * kappa), 0.8) - made->force(0.8, 1.0);
-    // The second order is κ a²/δ of it, 2e-4. The error of the nodes is 1e-6 of F, 1e-2 of the
-    // change.
+    // The second-order part is κ a²/δ = 2e-4 of the change. The error of the nodes is 1e-6 of F,
+    // which is 1e-2 of the change.
     EXPECT_NEAR(change, -2.0 / 3.0 * a * a * a * kappa, 0.02 * std::abs(change));
   }
 }
@@ -151,8 +153,8 @@ TEST(CurvedContact, AToolThatDoesNotFitIsOnAFlatBody)
   EXPECT_FALSE(fits);
 }
 
-/// A ball of finite elements: the difference from the law with summed profiles is the structural
-/// compliance.
+/// Compares with finite elements of a ball. The law adds the profiles of tool and ball; the
+/// remaining difference is the structural compliance of the ball.
 TEST(CurvedContact, OnABallTheRestIsStructural)
 {
   const ReferenceTable table("deep/curvature_sphere_on_ball.csv");
@@ -190,7 +192,7 @@ TEST(ResponseLaw, TakesTheSpotsCurvature)
   EXPECT_NEAR(static_cast<double>(forces[7]) / hertz, 1.0, Nodes);
   EXPECT_NEAR(static_cast<double>(stiffnesses[7]) / (1.5 * hertz), 1.0, 1e-5);
 
-  // In series: δ = δ_local + C F.
+  // With a compliance in series: δ = δ_local + C F.
   spot.compliance = 0.3;
   const IndentationPoint felt = law.evaluate(spot, 1.0);
   const double local = 1.0 - 0.3 * felt.force;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tool on a curved half-space at given depths: closed forms of paraboloids, cones and flat ends,
-// in series, in hollows.
+// with a compliance in series, in hollows.
 #include "Laws/CurvedHalfSpace.h"
 #include "Laws/LocalContact.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -31,8 +31,8 @@ std::vector<LocalState> solved(
 }
 } // namespace
 
-/// 1/R + κ is the curvature of another paraboloid (Hertz 1882); its interpolated function is a
-/// power.
+/// 1/R + κ is the curvature of another paraboloid (Hertz 1882). Its interpolated function is a
+/// power law.
 TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
 {
   for (const double kappa : { -0.12, 0.0, 0.05, 5.0 })
@@ -50,8 +50,8 @@ TEST(CurvedHalfSpace, AParaboloidOnABallIsASharperOne)
   }
 }
 
-/// The exact sphere between the nodes of its table, and in the first piece of the table, where its
-/// radius counts as a power.
+/// Depths between the nodes of the table of the exact sphere, and in the first interval of the
+/// table, where the contact radius is taken as a power of √δ.
 TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
 {
   for (const ToolSpecification& tool :
@@ -69,7 +69,8 @@ TEST(CurvedHalfSpace, OnAFlatBodyTheToolIsAlone)
   }
 }
 
-/// A cone with g = (π/2) c a on a ball with δ_sag = κ a²: depth and force at a given radius add up.
+/// A cone with g = (π/2) c a on a ball with the sag κ a²: at a given radius their depths and their
+/// forces add up.
 TEST(CurvedHalfSpace, AConeOnABall)
 {
   const ToolSpecification cone{ ToolShape::Cone, 0.0, 60.0 };
@@ -86,8 +87,8 @@ TEST(CurvedHalfSpace, AConeOnABall)
   }
 }
 
-/// A flat end is in full contact after a²κ; before that the contact is that of a ball. Then F =
-/// 2(aδ - a³κ/3).
+/// A flat end is in full contact from the depth a²κ on, with F = 2(aδ - a³κ/3). At smaller depths
+/// the contact is that of a plane on a ball.
 TEST(CurvedHalfSpace, AFlatEndOnABall)
 {
   constexpr double a = 1.6;
@@ -103,8 +104,8 @@ TEST(CurvedHalfSpace, AFlatEndOnABall)
   }
 }
 
-/// A flat end touches a hollow with its rim. There is no law until full contact; then the mean of
-/// the sag counts, as for any circle in full contact.
+/// A flat end touches a hollow first with its rim. No law covers the depths before full contact;
+/// then the mean of the sag counts, as for any circle in full contact.
 TEST(CurvedHalfSpace, AFlatEndInAHollow)
 {
   constexpr double a = 1.6;
@@ -119,7 +120,7 @@ TEST(CurvedHalfSpace, AFlatEndInAHollow)
   }
 }
 
-/// δ = δ_local + C F: the local part of the series gives the force for the rest of the depth.
+/// δ = δ_local + C F: the force is that of the local part of the depth.
 TEST(CurvedHalfSpace, InSeries)
 {
   constexpr double softness = 0.3;
@@ -136,8 +137,8 @@ TEST(CurvedHalfSpace, InSeries)
   EXPECT_NEAR(one[4].force / (4.0 / 3.0 / std::sqrt(0.35) * std::pow(local, 1.5)), 1.0, 1e-9);
 }
 
-/// On a soft body the local depth is a small part of the deflection, here less than that at which a
-/// flat end reaches full contact with a bump: δ = d + C E* F(d) (Hertz 1882).
+/// On a soft body the local depth is a small part of the deflection. Here it is smaller than the
+/// depth at which a flat end reaches full contact with a bump: δ = d + C E* F(d) (Hertz 1882).
 TEST(CurvedHalfSpace, AFlatEndOnABumpOfASoftBody)
 {
   const SpotCurvature bump{ 0.05, 0.02, 0.0 };
@@ -147,7 +148,7 @@ TEST(CurvedHalfSpace, AFlatEndOnABumpOfASoftBody)
     for (std::size_t i = 0; i < Depths.size(); ++i)
     {
       ASSERT_GT(states[i].depth, 0.0) << "softness " << softness << ", " << Depths[i] << " mm";
-      // Converged to 1e-5 of the deflection before the last step, which is squared.
+      // The last step starts within 1e-5 of the deflection, and its error is squared.
       EXPECT_NEAR(states[i].depth + softness * states[i].force, Depths[i], 1e-6 * Depths[i])
         << "softness " << softness;
     }
@@ -164,8 +165,8 @@ TEST(CurvedHalfSpace, ANarrowHollowIsSaid)
   EXPECT_FALSE(contact.solve({ -3.0, -3.0, 0.0 }, 0.0, Depths, states.data()));
 }
 
-/// At finite strain both computations of one contact agree: by nodes (1e-6; their stiffness by
-/// differences, 1e-3) and depth by depth.
+/// At finite strain the force from nodes (error 1e-6; 1e-3 for the stiffness, from differences)
+/// agrees with the force computed at each depth.
 TEST(CurvedHalfSpace, FiniteStrainAsInNodes)
 {
   const auto tool = makeTool({ ToolShape::Sphere, 4.0 });

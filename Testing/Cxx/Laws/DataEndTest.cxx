@@ -16,7 +16,8 @@ using palpate::testing::Paraboloid;
 namespace
 {
 constexpr double Range = 2.0;
-// The tolerance for storage is 1e-3: in depth 2/3 of it by the force, twice by the stiffness.
+// The curve is stored to a tolerance of 1e-3 of the force. This is an error of the depth of 2/3 of
+// 1e-3 if the force ends the data, and of twice 1e-3 if the stiffness does.
 constexpr double Given = 2.01e-3;
 
 double endOf(const DataEnd& end)

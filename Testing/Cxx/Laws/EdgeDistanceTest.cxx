@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that count for a contact, their distance, and the reduction of the force.
+// Edges that count for a contact, their distance from the contact, and the reduction of the force.
 #include "Laws/EdgeDistance.h"
 #include "Laws/ErrorRule.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -41,7 +41,8 @@ struct Mesh
 
 using Place = std::function<std::array<double, 3>(double, double)>;
 
-/// n × m squares of two triangles each over [0, 1]², mapped by `place`; outwards is u × v.
+/// n × m squares of two triangles each over [0, 1]², mapped by `place`. The outward normal is u ×
+/// v.
 Mesh sheet(int n, int m, const Place& place)
 {
   Mesh mesh;
@@ -65,14 +66,14 @@ Mesh sheet(int n, int m, const Place& place)
   return mesh;
 }
 
-/// A roof: level up to the ridge at x = 0, beyond it falling by the angle `fall` (rad). Its ridge
-/// is a fillet.
+/// A roof: horizontal up to the ridge at x = 0, then sloping down at the angle `fall` (rad). The
+/// ridge is rounded with the radius `fillet`.
 Mesh roof(double size, int n, double fall, double fillet)
 {
   return sheet(n, n,
     [=](double u, double v)
     {
-      // Along the arc length s; the turn begins at -half.
+      // The fillet is a function of the arc length s; it begins at -half.
       const double s = (u - 0.5) * size;
       const double half = 0.5 * fillet * fall;
       double x = 0.0;
@@ -140,7 +141,8 @@ Mesh cubeOf(double size, int n)
   return mesh;
 }
 
-/// Visits the points away from the sheet's own border.
+/// Visits the points whose coordinates are all smaller than `within`, which are away from the
+/// border of the sheet.
 template <class Visit>
 void forInner(const Mesh& mesh, double within, const Visit& visit)
 {
@@ -180,8 +182,8 @@ TEST(EdgeDistance, OfARoofIsThatToItsRidge)
       [&](std::size_t i, const std::array<double, 3>& at)
       {
         const double away = std::max(std::abs(at[0]), std::abs(at[2]));
-        // Distance to the nearest side of the fillet, and one square. Cells of 6 mm, used from 8 mm
-        // on, make the fillet sharper.
+        // Distance to the nearest side of the fillet, plus one square. Cells of 6 mm, used from 8
+        // mm on, make the fillet sharper.
         EXPECT_NEAR(static_cast<double>(edges.at(i).distance), away, 3.0 * fillet + 0.51) << away;
         // Cells of 2 mm contain the whole fillet, except where the fillet crosses a cell.
         EXPECT_NEAR(static_cast<double>(edges.at(i).turn), 0.5 * Pi, fillet > 0.0 ? 0.5 : 1e-3);
@@ -191,15 +193,16 @@ TEST(EdgeDistance, OfARoofIsThatToItsRidge)
 
 TEST(EdgeDistance, OfLongFacetsToo)
 {
-  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0);    // the ridge, and two borders 30 mm away
-  const EdgeDistance edges(mesh.spans(), 1.0, 160.0); // an edge of 45°, one fifth of it
+  const Mesh mesh = roof(60.0, 2, 0.25 * Pi, 0.0); // a ridge, and two borders at 30 mm
+  // reach of a sharp edge; an edge of 45° has one fifth of this reach
+  const EdgeDistance edges(mesh.spans(), 1.0, 160.0);
   EXPECT_EQ(edges.at(1).border, 0.0F);
   EXPECT_NEAR(static_cast<double>(edges.at(4).distance), 0.0, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(4).turn), 0.25 * Pi, 1e-6);
   EXPECT_NEAR(static_cast<double>(edges.at(3).distance), 30.0, 1e-4);
 }
 
-/// For any orientation of the mesh a ball has no edge, and a cube has its own edges.
+/// A ball has no edge and a cube has its twelve edges, for any orientation of the mesh.
 TEST(EdgeDistance, DoesNotDependOnTheAxes)
 {
   std::mt19937 random(9);
@@ -243,7 +246,7 @@ TEST(EdgeDistance, DoesNotDependOnTheAxes)
   EXPECT_EQ(wrong, 0U);
 }
 
-/// Small turns, hollows, balls and noise are no edges.
+/// Small turns, hollows, balls and noise do not count as edges.
 TEST(EdgeDistance, WhatIsNoEdge)
 {
   const auto innerEdges = [](const Mesh& mesh, double a)
@@ -253,7 +256,7 @@ TEST(EdgeDistance, WhatIsNoEdge)
   EXPECT_GT(innerEdges(roof(60.0, 120, 0.5, 0.0), 2.0), 0U);
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 2.0), 0U);
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.0), 4.0), 0U);
-  // Noise of a scan: facets of 0.5 mm that turn by up to 30°.
+  // Noise of a scan: facets of 0.5 mm that are tilted by up to 30°.
   EXPECT_EQ(innerEdges(bumpyBall(20.0, 0.05), 2.0), 0U);
 }
 
@@ -266,7 +269,7 @@ TEST(EdgeDistance, BorderCountsSlitsAndHolesDoNot)
   const std::size_t middle = 30 * 61 + 30;
   EXPECT_NEAR(
     static_cast<double>(EdgeDistance(mesh.spans(), 1.0, 80.0).at(middle).border), 30.0, 1e-4);
-  // A hole of one square, 2 mm from the middle; and a slit whose sides have the same position.
+  // A hole of one square, 2 mm from the middle; and a slit whose two sides have the same position.
   Mesh holed = mesh;
   holed.triangles.erase(
     holed.triangles.begin() + 6 * (30 * 60 + 32), holed.triangles.begin() + 6 * (30 * 60 + 32) + 6);
@@ -288,13 +291,13 @@ TEST(EdgeDistance, BorderCountsSlitsAndHolesDoNot)
     slit.triangles[corner] =
       isRight && found != twin.end() ? found->second : slit.triangles[corner];
   }
-  // 10 mm from the slit, 20 from the border across it.
+  // The point is 10 mm from the slit and 20 mm from the border on the other side of the slit.
   EXPECT_NEAR(
     static_cast<double>(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).border), 30.0, 9.1);
   EXPECT_GT(EdgeDistance(slit.spans(), 1.0, 80.0).at(30 * 61 + 39).border, 20.0F);
 }
 
-/// Φ of Hetényi's quarter space, for flat, paraboloid and cone.
+/// Φ of Hetényi's quarter space, for a flat end, a paraboloid and a cone.
 TEST(EdgeDistance, FactorIsThatOfAQuarterSpace)
 {
   const ReferenceTable table("edges/edge_law.csv");
@@ -304,18 +307,19 @@ TEST(EdgeDistance, FactorIsThatOfAQuarterSpace)
     const double u = table.number(row, "u=d/a0");
     if (u >= 0.0)
     {
-      // One curve for all three, which differ by up to 0.03.
+      // One curve represents the three tools, whose factors differ by up to 0.03.
       EXPECT_NEAR(edgeFactor(table.number(row, "nu"), u, 1.0), table.number(row, "Phi=F/F0"), 0.028)
         << table.number(row, "nu") << ", m " << table.number(row, "m") << ", u " << u;
       ++rows;
     }
   }
   EXPECT_GT(rows, 90);
-  // Far away that of a point load: ψ/(πu).
+  // Far from the edge the factor is that of a point load: 1 - Φ = ψ/(πu).
   EXPECT_NEAR((1.0 - edgeFactor(0.3, 100.0, 1.0)) * 100.0 * Pi, 1.8448, 0.012);
 }
 
-/// Wedges of other angles against finite elements: never a smaller sharpness, and of the same size.
+/// Wedges of other angles against finite elements: the sharpness is at least that of the elements
+/// and of the same size.
 TEST(EdgeDistance, SharpnessIsThatOfWedges)
 {
   const ReferenceTable table("edges/wedge_point_law.csv");
@@ -335,15 +339,15 @@ TEST(EdgeDistance, SharpnessIsThatOfWedges)
     const double turn = table.number(row, "turn_deg");
     const double sharpness = edgeSharpness(nu, turn * Pi / 180.0);
     const double found = psi(row) / right[nu];
-    EXPECT_GE(sharpness, 0.97 * found - 0.003) << nu << ", " << turn; // error of the elements
+    EXPECT_GE(sharpness, 0.97 * found - 0.003) << nu << ", " << turn; // 0.97: error of the elements
     EXPECT_LE(sharpness, std::max(1.4 * found, found + 0.13)) << nu << ", " << turn;
   }
   EXPECT_EQ(table.size(), 24U);
   EXPECT_EQ(edgeSharpness(0.3, 3.0), edgeSharpness(0.3, 2.0 * Pi / 3.0));
 }
 
-/// A step up with a ridge on it. For a point at its foot the ridge is no edge, since there is body
-/// under the ridge.
+/// A step up with a ridge on top. For a point at the foot of the step the ridge is not an edge,
+/// since the body continues under the ridge.
 TEST(EdgeDistance, WhatRisesAboveTheSurfaceIsNoneForIt)
 {
   constexpr double rise = 6.0; // mm; a slope of 45° from x = 20 on, its ridge, and a vertical drop
@@ -357,13 +361,14 @@ TEST(EdgeDistance, WhatRisesAboveTheSurfaceIsNoneForIt)
     });
   const EdgeDistance edges(mesh.spans(), 1.0, 80.0);
   const auto pointAt = [](std::int32_t i) { return static_cast<std::size_t>(20 * 81 + i); };
-  // On the slope the ridge is an edge of 135°. On the level part, 4 mm before the foot, the surface
-  // rises by 31°.
+  // For points on the slope the ridge is an edge of 135°. Points on the horizontal part, 4 mm
+  // before the foot, see a surface that rises by 31° and thus no edge.
   EXPECT_NEAR(static_cast<double>(edges.at(pointAt(48)).distance), 2.0 * std::sqrt(2.0), 0.8);
   EXPECT_EQ(edges.at(pointAt(32)).distance, NearEdge::Far);
 }
 
-/// Part Edge: by the angle, smaller on a layer, zero if the body's own compliance is known.
+/// The part Edge of the error: it depends on the angle, is smaller on a layer, and is zero if the
+/// body's own compliance is known.
 TEST(EdgeDistance, PartOfTheError)
 {
   const Paraboloid shape;
@@ -385,8 +390,8 @@ TEST(EdgeDistance, PartOfTheError)
   EXPECT_NEAR(part(0.0, 6.0, { 3.0F, right, NearEdge::Far }), std::exp(-0.5) * whole, 1e-6);
   EXPECT_EQ(part(0.1, 0.0, { 3.0F, right, NearEdge::Far }), 0.0);
   EXPECT_EQ(part(0.0, 0.0, {}), 0.0);
-  // A border: the whole part at the border, half of it one contact radius away, zero from two radii
-  // on.
+  // A border: the whole part at the border, half of the part one contact radius away, zero from two
+  // radii on.
   const auto atBorder = [](float border) { return NearEdge{ NearEdge::Far, 0.0F, border }; };
   EXPECT_NEAR(part(0.0, 0.0, atBorder(0.0F)), 1.0 - edgeFactor(0.45, 0.0, 1.0), 1e-6);
   EXPECT_NEAR(part(0.0, 0.0, atBorder(1.0F)), 0.5 * (1.0 - edgeFactor(0.45, 1.0, 1.0)), 1e-6);

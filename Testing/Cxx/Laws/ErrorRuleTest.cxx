@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The estimated error of a law: its parts by their formulas, its sum over a depth, and how often it
-// is valid.
+// The estimated error of a law: its parts against their formulas, their sum over the depth, and the
+// validity that follows.
 #include "Laws/ErrorRule.h"
 #include "Laws/BodyMaterial.h"
 #include "Laws/LocalContact.h"
@@ -44,7 +44,7 @@ protected:
 };
 } // namespace
 
-/// ΔF/F = -R κ_m/2 for a paraboloid, at every depth; plus 0.46 a κ_m of the ball.
+/// ΔF/F = -R κ_m/2 for a paraboloid, at every depth; the compliance of the ball adds 0.46 a κ_m.
 TEST_F(ErrorOfALaw, CurvatureLeftOut)
 {
   for (const double depth : { 0.01, 0.5 })
@@ -59,7 +59,7 @@ TEST_F(ErrorOfALaw, CurvatureLeftOut)
 
 TEST_F(ErrorOfALaw, CurvatureInTheLawLeavesTheEllipseTheBallAndItsOwnError)
 {
-  const LocalState state = this->stateAt(0.25); // a = 1
+  const LocalState state = this->stateAt(0.25); // contact radius a = 1 mm
   const double part = this->parts({ 0.0, 0.25, 0.01 }, state, true)[ResponseLimit::Curvature];
   const double ratio = std::log(2.0);
   EXPECT_NEAR(part, ratio * ratio / 48.0 + 0.46 * 0.125 + 0.5 * 4.0 * 0.01, 1e-12);
@@ -83,13 +83,14 @@ TEST_F(ErrorOfALaw, InSeriesTheLocalPartCounts)
 
 TEST_F(ErrorOfALaw, WiderThanTheBodyAllIsError)
 {
-  const LocalState state = this->stateAt(1.0); // a = 2
+  const LocalState state = this->stateAt(1.0); // contact radius a = 2 mm
   EXPECT_EQ(this->parts({}, state, false, 0.0, 4.1)[ResponseLimit::Edge], 0.0);
   EXPECT_EQ(this->parts({}, state, false, 0.0, 3.9)[ResponseLimit::Edge], 1.0);
   EXPECT_EQ(this->parts({}, state, false, 0.0, 3.9).largest(), ResponseLimit::Edge);
 }
 
-/// Validity is the depth at which the error exceeds the tolerance; each sample has its own error.
+/// Validity is the depth at which the error exceeds the tolerance. The error is given for each
+/// sample.
 TEST_F(ErrorOfALaw, OfAWholeResponse)
 {
   constexpr int samples = 16;
@@ -111,7 +112,8 @@ TEST_F(ErrorOfALaw, OfAWholeResponse)
   // Hertz: s = 4/(3π) a/R. The law is stored exactly.
   const auto strain = [](double depth)
   { return smallStrainError(4.0 / (3.0 * Pi) * std::sqrt(depth / 4.0), 0.3, 0.0, 0.0); };
-  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4); // linear between samples
+  // validity is interpolated linearly between samples
+  EXPECT_NEAR(strain(static_cast<double>(validity[0])), 0.05, 5e-4);
   for (int i = 0; i < samples; ++i)
   {
     const double depth = 2.0 * (i + 1) * (i + 1) / (samples * samples);

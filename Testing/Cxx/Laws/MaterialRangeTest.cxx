@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The range of materials for which a law is prepared: all points of a body, whole or in pieces.
+// The range of materials for which a law is prepared, over all points of a body in one piece or in
+// several.
 #include "Laws/MaterialRange.h"
 
 #include "Mechanics/Layers/LayerTable.h"
@@ -70,7 +71,7 @@ TEST(MaterialRange, PiecesJoinToTheWhole)
     joined.join(own);
   }
   expectSame(joined, whole);
-  joined.join(MaterialRange(LayerBase::Bonded)); // a process without a piece
+  joined.join(MaterialRange(LayerBase::Bonded)); // a process without points
   expectSame(joined, whole);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tilted tool at every point of a body: between the nodes of the laws the force is interpolated
-// correctly.
+// A tilted tool at every point of a body: the force is interpolated correctly between the nodes of
+// the laws.
 #include "Laws/MaterialTilts.h"
 
 #include "Laws/BodyMaterial.h"
@@ -48,7 +48,8 @@ double forceOf(const TiltTable& table, const float* weights, const AxisymmetricT
   return upright.force * tau.value + upright.work * tau.byDepth;
 }
 
-/// Compares the force at each point by its weights with that of a table for this point.
+/// Compares the force at each point, interpolated by its weights, with that of a table made for
+/// this point.
 void compare(const std::string& text, double range, double largest, const BodyMaterial& material,
   std::size_t points, double tolerance)
 {
@@ -74,7 +75,7 @@ void compare(const std::string& text, double range, double largest, const BodyMa
   for (std::size_t i = 0; i < points; ++i)
   {
     const float* weights = tilt.weights.data() + i * laws;
-    EXPECT_NEAR(std::accumulate(weights, weights + laws, 0.0), 1.0, 1e-6); // floats
+    EXPECT_NEAR(std::accumulate(weights, weights + laws, 0.0), 1.0, 1e-6); // weights are floats
     EXPECT_GE(*std::min_element(weights, weights + laws), 0.0F);
     std::vector<float> alone(points, 0.0F);
     alone[i] = 1.0F;
@@ -108,7 +109,7 @@ TEST(MaterialTilts, AModulusAloneIsOneLaw)
   EXPECT_EQ(tilt.thinnest, 0.0);
 }
 
-// Linear interpolation between nodes: 1 % of the force.
+// Error of the linear interpolation between nodes: 1 % of the force.
 TEST(MaterialTilts, ThicknessesAreMetBetweenTheNodes)
 {
   BodyMaterial::Values values;
@@ -138,7 +139,7 @@ TEST(MaterialTilts, CompliancesAreMetBetweenTheNodes)
   compare("flat:1", 0.5, 20.0 * Degree, material, 4, 0.01);
 }
 
-// A grid over several varying quantities is coarser: 2 %.
+// The grid over several varying quantities is coarser: 2 %.
 TEST(MaterialTilts, SeveralThingsMakeAGrid)
 {
   BodyMaterial::Values values;
@@ -160,7 +161,8 @@ TEST(MaterialTilts, AStackHasAKernelOfItsOwn)
   const MaterialTilts single = tiltsOf(*tool, 0.8, 15.0 * Degree, one.range(), one.spots(), 1);
   ASSERT_EQ(stacked.fault, "");
   ASSERT_EQ(single.fault, "");
-  // LayerStack: one layer to 1e-12. The table of its kernel, 1e-10, over differences of 1e-2 of y.
+  // LayerStack agrees with one layer to 1e-12. The table of its kernel has an error of 1e-10,
+  // divided by differences of 1e-2 of y.
   EXPECT_NEAR(stacked.table.at(0.5, 0.2).value, single.table.at(0.5, 0.2).value, 1e-7);
   EXPECT_GT(single.table.at(0.5, 0.2).value, 1.1);
 }

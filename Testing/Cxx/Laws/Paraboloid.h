@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// The tool with one-line laws (Hertz 1882): a = √(R δ), F = 4/3 E* √R δ^1.5.
+/// A paraboloid, whose laws are closed forms (Hertz 1882): a = √(R δ), F = 4/3 E* √R δ^1.5.
 struct Paraboloid
 {
   double radius = 4.0; ///< mm

@@ -21,11 +21,12 @@ namespace palpate::testing
 namespace
 {
 constexpr int Samples = 8;
-constexpr int Judged[] = { 4, 6, 8 }; // numbers of the samples at 1/4, 9/16 and all of the depth
-constexpr double Edge = 0.12;         // of the contact radius
-constexpr double Fillet = 0.1;        // of the contact radius, at corners
-constexpr double ApexFillet = 0.4;    // of the depth, for a cone; a sharper one makes a crease
-constexpr double Wide = 1e6;          // mm
+constexpr int Judged[] = { 4, 6, 8 }; // sample numbers of 1/4, 9/16 and all of the depth
+constexpr double Edge = 0.12;         // length of an element's edge / contact radius
+constexpr double Fillet = 0.1;        // radius of the fillet at corners / contact radius
+// radius of the fillet of a cone / depth; a smaller one makes a crease
+constexpr double ApexFillet = 0.4;
+constexpr double Wide = 1e6; // mm: no limit of the width
 
 class Draw
 {
@@ -52,7 +53,7 @@ struct Tool
 {
   std::string text;
   double deepest; ///< mm
-  bool hasTable;  ///< true if there is a table of finite strain on a half-space
+  bool hasTable;  ///< true if there is a finite-strain table for a half-space
 };
 
 Tool roundTool(Draw& draw)
@@ -99,11 +100,11 @@ Tool anyTool(Draw& draw)
   }
 }
 
-/// The body in the form of the law and of the solver.
+/// A body as the law and the solver take it.
 struct Body
 {
   BodyMaterial::Constants material;
-  double radius = 0.0; ///< of its surface, mm; 0: flat
+  double radius = 0.0; ///< radius of its surface, mm; 0: flat; negative: a cavity
 };
 
 double anyRatio(Draw& draw)
@@ -111,7 +112,7 @@ double anyRatio(Draw& draw)
   return draw.even(0.0, 0.495);
 }
 
-/// Mostly that of tissue.
+/// A Poisson's ratio that is most often in the range of tissue.
 double layersRatio(Draw& draw)
 {
   return draw.even(0.3, 0.495);
@@ -153,11 +154,11 @@ Body drawBody(ContactFamily family, Draw& draw)
   return body;
 }
 
-/// Largest depth for a layer or stack: at most half of its thickness and of its soft part.
+/// Largest depth in a layer or stack: at most half of the thickness and half of the soft part.
 double deepestIn(const BodyMaterial::Constants& material, double deepest)
 {
   double thickness = material.thickness;
-  double soft = material.thickness; // equivalent thickness that deforms
+  double soft = material.thickness; // equivalent thickness, weighted by compliance, mm
   for (const StackLayer& layer : material.deeper)
   {
     thickness += layer.thickness;
@@ -221,7 +222,7 @@ FiniteCurve solve(const Body& body, const AxisymmetricTool& tool, StrainModel mo
   return pressTool(ToolOutline(tool, 3.0 * problem.contactRadius, fillet), problem);
 }
 
-/// The product's response for one point of a body.
+/// Arrays of the product's response for one point of a body.
 struct Made
 {
   std::vector<float> force = std::vector<float>(Samples);
@@ -249,14 +250,14 @@ Made respond(const Body& body, const AxisymmetricTool& tool, double deepest, boo
     [curvature](std::size_t) {
       return SpotCurvature{ curvature, curvature, 0.0 };
     } };
-  // Any tolerance: the error of each sample is stored in any case.
+  // The tolerance has no effect here: the error of each sample is stored in any case.
   response(tool, material, deepest, 1, shape, { curved, strain, 1e-9 },
     { Samples, made.force.data(), made.stiffness.data(), &range, &validity, &made.status,
       &made.limit, made.error.data() });
   return made;
 }
 
-/// Presses the tool on the body with the product and with finite elements.
+/// Computes the force of the tool on the body with the product's laws and with finite elements.
 RandomContact judgeContact(ContactFamily family, const Body& body, const Tool& chosen)
 {
   const bool isCurved = body.radius != 0.0;

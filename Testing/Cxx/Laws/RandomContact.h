@@ -14,22 +14,23 @@ namespace palpate::testing
 enum class ContactFamily
 {
   HalfSpace, ///< any tool on a flat half-space
-  Layer,     ///< on a bonded or slipping layer
+  Layer,     ///< any tool on a bonded or slipping layer
   Stack,     ///< a sphere or cone on two or three layers
-  Ball,      ///< on a ball, from two opposite sides
-  Cavity     ///< in a spherical cavity
+  Ball,      ///< any tool on a ball, pressed from two opposite sides
+  Cavity     ///< any tool in a spherical cavity
 };
 constexpr const char* ContactFamilyNames[] = { "half-space", "layer", "stack", "ball", "cavity" };
 
-/// One force of a law and that of finite elements at finite strain (Neo-Hooke).
+/// A force of one law and the force of finite elements at finite strain (Neo-Hooke) in the same
+/// contact.
 struct JudgedForce
 {
   std::string law; ///< "small", "curved", "finite", "curved finite"
   double depth;    ///< mm
-  double radius;   ///< of the contact by the plain law, mm
-  double force;    ///< of the law, N
-  double exact;    ///< by finite elements, N
-  double stated;   ///< its estimated relative error
+  double radius;   ///< contact radius by the law of small strain on the flat body, mm
+  double force;    ///< force of the law, N
+  double exact;    ///< force of the finite elements, N
+  double stated;   ///< estimated relative error of the law
   ResponseLimit limit;
 
   double error() const; ///< |exact/force - 1|
@@ -40,13 +41,13 @@ struct RandomContact
 {
   ContactFamily family;
   std::string tool;
-  std::string body; ///< as text: ν, layers, radius
+  std::string body; ///< description of the body: ν, layers, radius
   std::vector<JudgedForce> forces;
-  std::string fault; ///< reason for missing forces
+  std::string fault; ///< reason why there are no forces; "": none
 };
 
-/// Relative error of the solver's own force: mesh (edges of 0.12 of the contact radius) and far
-/// field, by refinement.
+/// Relative error of the solver's force, from refinement: mesh (edges of 0.12 of the contact
+/// radius) and far field.
 constexpr double SolverError = 0.004;
 
 /**
@@ -59,7 +60,7 @@ constexpr double SolverError = 0.004;
  */
 RandomContact drawContact(ContactFamily family, std::mt19937& random);
 
-/// The same for a given sphere on a ball (mm, MPa).
+/// As drawContact, for a given sphere on a given ball (mm, MPa).
 RandomContact pressOnBall(const std::string& tool, double deepest, double radius,
   double poissonRatio, double youngsModulus);
 } // namespace palpate::testing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stated errors compared with errors against finite elements, at random contacts. Only a few here;
-// many more in the study error, whose results are in Data/Studies/error.
+// Stated errors compared with the errors against finite elements, at a few random contacts. The
+// study "error" compares many more (Data/Studies/error).
 #include "RandomContact.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ void expectBounds(ContactFamily family, unsigned seed, int contacts)
       }
     }
   }
-  EXPECT_GE(all, 2 * contacts); // three depths for each, and some have more than one law
+  EXPECT_GE(all, 2 * contacts); // three depths for each contact, some with more than one law
   EXPECT_GE(held, 0.95 * all) << words;
 }
 } // namespace
@@ -59,8 +59,8 @@ TEST(RandomContact, OnABallAndInACavity)
   expectBounds(ContactFamily::Cavity, 35, 1);
 }
 
-/// ParaView's result after the six clicks of the manual: a sphere of 5 mm, 1 mm deep in a body with
-/// the local curvature of a ball of 55.5 mm.
+/// ParaView's result after the six clicks of the manual: a sphere of 5 mm, pressed 1 mm into a body
+/// with the local curvature of a ball of 55.5 mm.
 TEST(RandomContact, TheTouchOfTheManual)
 {
   const RandomContact touch = pressOnBall("sphere:5", 1.0, 55.5, 0.45, 0.1);

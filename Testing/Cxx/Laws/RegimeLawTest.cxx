@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local share of the deflection and effect of the tool's size, in cases with known values.
+// Local share of the deflection and effect of the tool's size, in cases with known results.
 #include "Laws/RegimeLaw.h"
 
 #include "Paraboloid.h"
@@ -19,8 +19,9 @@ using palpate::testing::Paraboloid;
 
 namespace
 {
-constexpr double Deepest = 2.0;  // mm
-constexpr double Central = 1e-4; // error of the difference over ±1 % of the size: 2e-5
+constexpr double Deepest = 2.0; // mm
+// the central difference over ±1 % of the size has an error of 2e-5
+constexpr double Central = 1e-4;
 } // namespace
 
 TEST(RegimeLaw, AHalfSpaceIsLocal)
@@ -50,12 +51,12 @@ TEST(RegimeLaw, ASoftBodyTakesTheDepthUponItself)
 {
   const auto tool = Paraboloid{}.make();
   const RegimeLaw law(*tool, MaterialRange(LayerBase::Bonded), Deepest);
-  const double compliance = 400.0; // mm/N: a long strip
+  const double compliance = 400.0; // mm/N, as of a long strip
   const ContactSpot spot{ 0.06, 0.45, compliance, 0.0 };
   const double force = law.force(spot, 1.0);
   const SpotRegime found = law.regime(spot, 1.0, force);
   EXPECT_NEAR(found.index, compliance * force, 1e-9); // C F/δ
-  // dlnF/dlnR of the series: ½/(1 + 1.5 C F/δ_local).
+  // dlnF/dlnR with the compliance in series: ½/(1 + 1.5 C F/δ_local).
   const double local = 1.0 - compliance * force;
   EXPECT_NEAR(found.sensitivity, 0.5 / (1.0 + 1.5 * compliance * force / local), Central);
   EXPECT_EQ(found.verdict, RegimeVerdict::PointForceSuffices);
@@ -79,13 +80,13 @@ TEST(RegimeLaw, OnALayerTheShapeMattersMore)
   range.add(spot);
   const RegimeLaw law(*tool, range, Deepest);
   const SpotRegime found = law.regime(spot, 1.0, law.force(spot, 1.0));
-  EXPECT_LT(found.index, 0.0); // stiffened by the base
+  EXPECT_LT(found.index, 0.0); // the base makes the layer stiffer than a half-space
   EXPECT_GT(found.sensitivity, 0.5);
 }
 
 TEST(RegimeLaw, AWholeBodyHalfOfWhichGivesWay)
 {
-  constexpr std::size_t count = 20000; // several threads
+  constexpr std::size_t count = 20000; // enough for several threads
   const Paraboloid paraboloid;
   const auto tool = paraboloid.make();
   BodyMaterial::Values values;
@@ -121,7 +122,7 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   ASSERT_EQ(material.take({}, 2), "");
   std::vector<float> force;
   std::vector<float> stiffness;
-  for (const double modulus : { 0.06, 0.0615 }) // 2.5 % different
+  for (const double modulus : { 0.06, 0.0615 }) // differ by 2.5 %
   {
     for (int i = 1; i <= samples; ++i)
     {
@@ -150,7 +151,7 @@ TEST(RegimeLaw, AResponseOfAnotherMaterialIsNamed)
   EXPECT_EQ(regime(*tool, material, { 1.0, 1.0 }, 1.0, &given, spans)
               .find("Response 'Soft' is of another material: point 1 at 1"),
     0U);
-  // Below a hundredth of the range nothing is compared.
+  // Depths below a hundredth of the range are not compared.
   EXPECT_EQ(regime(*tool, material, { 1.0, 0.01 }, 1.0, &given, spans), "");
 }
 } // namespace regime_law

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a relaxing contact with few elements, against the runs of the reference from which
-// it is derived, and the number of elements for a tolerance.
+// The error of a relaxing contact with few elements, against the reference runs from which it is
+// derived, and the number of elements that meets a tolerance.
 #include "Laws/RelaxationError.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using palpate::RelaxationTerms;
 
 namespace
 {
-/// The worst error over all full-depth runs of a tool, by column.
+/// Largest error of each column over all full-depth runs of a tool.
 std::map<std::string, double> worstOf(const std::string& tool)
 {
   std::ifstream file(PALPATE_DATA_DIR "/Reference/rate/tick_variants.csv");
@@ -74,7 +74,7 @@ TEST(RelaxationError, IsThatOfTheReference)
   {
     const std::map<std::string, double> worst = worstOf(each.tool);
     ASSERT_FALSE(worst.empty());
-    // The table has three digits.
+    // The table states three digits.
     const std::map<int, std::string> columns = { { 0, "QLV_U" }, { 4, "C4^2" }, { 8, "C8^2" },
       { 16, "C16^2" } };
     for (const auto& [elements, column] : columns)
@@ -83,7 +83,7 @@ TEST(RelaxationError, IsThatOfTheReference)
         << each.tool << ' ' << elements;
     }
   }
-  // For the exact sphere at most that of the paraboloid.
+  // The error of the exact sphere is at most that of the paraboloid.
   EXPECT_LT(worstOf("sphere R=1.6 exact").at("C8^2"), relaxationError(8, 1.5));
 }
 
@@ -93,7 +93,7 @@ TEST(RelaxationError, FallsWithElementsAndRisesWithTheExponent)
   {
     for (int elements = 0; elements < 32; ++elements)
     {
-      if (m <= 2.0) // beyond the table 4 elements are worse than one
+      if (m <= 2.0) // for larger exponents, outside the table, 4 elements are worse than one
       {
         EXPECT_LE(relaxationError(elements + 1, m), relaxationError(elements, m) * (1.0 + 1e-12));
       }

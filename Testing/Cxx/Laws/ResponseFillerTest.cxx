@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of a response, point by point: neighbouring entries are unchanged.
+// The arrays of a response are filled point by point; neighbouring entries stay unchanged.
 #include "Laws/ResponseFiller.h"
 
 #include "Paraboloid.h"
@@ -87,7 +87,7 @@ TEST_F(Filling, WhereNoTriangleHasAnAreaItIsDegenerate)
 
 TEST_F(Filling, AWholeBodyOfManyModuli)
 {
-  constexpr std::size_t count = 40000; // several threads and blocks
+  constexpr std::size_t count = 40000; // enough for several threads and blocks
   BodyMaterial::Values values;
   values.youngsModulus.name = "E";
   for (std::size_t i = 0; i < count; ++i)
@@ -110,7 +110,7 @@ TEST_F(Filling, AWholeBodyOfManyModuli)
   EXPECT_TRUE(made.complete);
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(made.without, 2U);
-  EXPECT_EQ(made.exponent, 1.5); // a paraboloid is stored without an error
+  EXPECT_EQ(made.exponent, 1.5); // a paraboloid is stored without error
   for (std::size_t i = 0; i < count; ++i)
   {
     const double wanted = i == 7 || i == 9 ? 0.0 : Shape.force(2.0, 0.1 + 1e-6 * i);

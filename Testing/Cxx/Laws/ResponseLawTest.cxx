@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stored law of a tool: against Hertz's closed form, alone and in series.
+// The stored law of a tool against Hertz's closed form, alone and with a compliance in series.
 #include "Laws/ResponseLaw.h"
 
 #include "Paraboloid.h"
@@ -67,7 +67,8 @@ TEST(ResponseLaw, InSeriesTheDepthsAdd)
     const auto force = static_cast<double>(curve.force[static_cast<std::size_t>(i)]);
     const double local = depthOf(i) - compliance * force;
     EXPECT_NEAR(
-      paraboloid.force(local, 0.06), force, 3.0 * FloatStep * force); // 1.5 from the power
+      // factor 1.5 from the power, 2 from storage
+      paraboloid.force(local, 0.06), force, 3.0 * FloatStep * force);
   }
 }
 
@@ -97,7 +98,7 @@ TEST(ResponseLaw, AThickLayerIsAHalfSpaceAndAThinOneIsOutOfReach)
   const Sampled thick = sample(law, { 0.06, 0.45, 0.0, 1e5 });
   ASSERT_EQ(thick.status, ResponseStatus::Valid);
   const double force = paraboloid.force(Range, 0.06);
-  // a/h is 3e-5, and the first term of the layer's series is of that order.
+  // The first term of the layer's series is of the order of a/h, which is 3e-5.
   EXPECT_NEAR(static_cast<double>(thick.force.back()), force, 1e-4 * force);
   EXPECT_EQ(sample(law, { 0.06, 0.45, 0.0, 0.01 }).status, ResponseStatus::OutOfReach);
 }
@@ -121,6 +122,6 @@ TEST(ResponseLaw, APowerOfTheDepthIsStoredToRounding)
   const ResponseLaw law(*tool, Range, SampleCount);
   const ContactSpot spot{ 0.06, 0.45, 0.0, 0.0 };
   EXPECT_LT(law.storageError(1.5, spot), FloatStep); // r(s) is constant
-  EXPECT_LT(law.storageError(1.0, spot), FloatStep); // and proportional to s
+  EXPECT_LT(law.storageError(1.0, spot), FloatStep); // r(s) is proportional to s
   EXPECT_GT(law.storageError(1.2, spot), FloatStep);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curvatures of meshes of analytic surfaces, exact and noisy, against the curvature that acts on a
-// contact there: the stated error bounds the true one at 95 of 100 points and is of the same size.
+// Curvatures of meshes of analytic surfaces, exact and noisy, against the mean curvature that acts
+// on a contact. The stated error is at least the true error at 95 of 100 points, and of the same
+// size.
 #include "Laws/SurfaceCurvature.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -16,12 +17,13 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// A surface over (u, v), outwards u × v, with its mean curvature (convex > 0) in closed form.
+/// A surface over (u, v) with the outward normal u × v and its mean curvature (convex > 0) in
+/// closed form.
 struct Surface
 {
   std::function<Vector3d(double, double)> place;
   std::function<double(double, double)> mean;
-  double width; ///< of u and of v, from 0
+  double width; ///< range of u and of v, from 0
   double height;
 };
 
@@ -48,14 +50,14 @@ Surface sphere(double radius)
 {
   return { [=](double u, double v)
     {
-      const double up = v + 0.25 * Pi; // a band
+      const double up = v + 0.25 * Pi; // a band of the latitudes
       return Vector3d(radius * std::sin(up) * std::cos(u), -radius * std::sin(up) * std::sin(u),
         radius * std::cos(up));
     },
     [=](double, double) { return 1.0 / radius; }, 2.0 * Pi, 0.5 * Pi };
 }
 
-/// z = (x²/p - y²/q)/2: a saddle with the mean curvature of a graph.
+/// The saddle z = (x²/p - y²/q)/2, with the mean curvature of a graph.
 Surface saddle(double p, double q)
 {
   constexpr double size = 30.0;
@@ -70,13 +72,13 @@ Surface saddle(double p, double q)
       const double fx = (u - 0.5 * size) / p;
       const double fy = -(v - 0.5 * size) / q;
       const double square = 1.0 + fx * fx + fy * fy;
-      // Outwards is +z: where z falls away the surface is convex.
+      // The outward normal is +z; the surface is convex where the second derivatives are negative.
       return -0.5 * ((1.0 + fy * fy) / p - (1.0 + fx * fx) / q) / std::pow(square, 1.5);
     },
     size, size };
 }
 
-/// A wavy plane: curvatures of all sizes, from -1/r to 1/r.
+/// A wavy plane with curvatures between -1/r and 1/r.
 Surface waves(double length, double radius)
 {
   const double k = 2.0 * Pi / length;
@@ -98,10 +100,11 @@ Vector3d normalOf(const Surface& surface, double u, double v)
     .normalized();
 }
 
-/// The mean curvature that acts on a contact of radius `a`. To first order its force changes by
-/// -∫ p g dA, p = E*/(π √(a²-r²)) of a flat end and g the body's sag, since it is stationary in a.
-/// The paraboloid with the same effect has 3/(2π a³) ∫∫ g/√(a²-r²) dA. With r = a sin ψ nothing is
-/// singular: Gauss points over ψ, even ones around.
+/// The mean curvature that acts on a contact of radius `a`. The force is stationary in `a`, so to
+/// first order it changes by -∫ p g dA, where p = E*/(π √(a²-r²)) is the pressure of a flat end and
+/// g the body's sag. A paraboloid with the same effect has the curvature 3/(2π a³) ∫∫ g/√(a²-r²)
+/// dA. The substitution r = a sin ψ removes the singularity. Quadrature: Gauss points over ψ, equal
+/// steps around the axis.
 double felt(const Surface& surface, double u, double v, double a)
 {
   const Vector3d here = surface.place(u, v);
@@ -124,7 +127,7 @@ double felt(const Surface& surface, double u, double v, double a)
       const Vector3d goal = here + r * (std::cos(phi) * first + std::sin(phi) * second);
       double s = u;
       double t = v;
-      for (int newton = 0; newton < 6; ++newton) // the point of the surface below `goal`
+      for (int newton = 0; newton < 6; ++newton) // finds the point of the surface below `goal`
       {
         constexpr double step = 1e-5;
         const Vector3d at = surface.place(s, t);
@@ -145,16 +148,17 @@ double felt(const Surface& surface, double u, double v, double a)
   return 3.0 / (2.0 * Pi * a * a * a) * sum;
 }
 
-/// How well the stated error bounds the true one.
+/// Share of the points at which the stated error bounds the true error, and the medians of both.
 struct Outcome
 {
-  double held = 0.0; ///< share of the points
+  double held = 0.0; ///< share of the points whose stated error bounds the true one
   double medianStated = 0.0;
   double medianTrue = 0.0;
 };
 
-/// Evaluates a mesh of n × m points at random positions within a third of their squares, moved by
-/// `noise` (mm) along the normal, with its own angle-weighted normals. The border is excluded.
+/// Evaluates a mesh of n × m points. The points are at random positions within a third of their
+/// squares and are moved along the normal by noise (mm); the vertex normals are angle-weighted. The
+/// border is excluded.
 Outcome judge(const Surface& surface, int n, int m, double noise, double contactRadius)
 {
   std::mt19937 random(11);
@@ -210,7 +214,7 @@ Outcome judge(const Surface& surface, int n, int m, double noise, double contact
   std::vector<double> stated;
   std::vector<double> off;
   int held = 0;
-  const int margin = 6; // width of the excluded border
+  const int margin = 6; // width of the excluded border, points
   for (int k = margin; k <= m - margin; ++k)
   {
     for (int i = margin; i <= n - margin; ++i)
@@ -237,16 +241,16 @@ void expectBound(
 {
   const Outcome found = judge(surface, n, m, noise, contactRadius);
   EXPECT_GE(found.held, 0.95) << name << ", noise " << noise << ", a " << contactRadius;
-  // A bound for 95 of 100 is three medians of a normal error. The uncertain spread from few
-  // neighbours, and noise that is similar in neighbours, may add the rest. On surfaces as smooth as
-  // these a fit to many points is more accurate than its residual shows: 0.002 is 2 to 4 % of their
-  // curvatures.
+  // For a normally distributed error the bound at 95 of 100 points is three medians. The uncertain
+  // spread from few neighbours, and noise that is similar at neighbouring points, can increase it
+  // further. On surfaces as smooth as these a fit to many points is more accurate than its
+  // residual: 0.002 is 2 to 4 % of their curvatures.
   EXPECT_LT(found.medianStated, 12.0 * found.medianTrue + 0.002)
     << name << ", noise " << noise << ", a " << contactRadius;
 }
 } // namespace
 
-/// The brute force used as reference, for a small contact, against the closed forms.
+/// Checks the numerical reference `felt` at a small contact against the closed forms.
 TEST(SurfaceCurvature, ASmallContactFeelsTheCurvatureOfItsPoint)
 {
   for (const Surface& surface :
@@ -256,14 +260,14 @@ TEST(SurfaceCurvature, ASmallContactFeelsTheCurvatureOfItsPoint)
     {
       const double u = part * surface.width;
       const double v = 0.7 * part * surface.height;
-      // The remaining error is 0.2 a² of the second derivative of the curvature, below 1e-4 of the
-      // curvature here, and the rounding of differences at 20 mm in a sag of 1e-4 mm.
+      // Remaining error: 0.2 a² times the second derivative of the curvature, below 1e-4 of the
+      // curvature here, and the rounding of coordinates of 20 mm in a sag of 1e-4 mm.
       EXPECT_NEAR(felt(surface, u, v, 0.1), surface.mean(u, v), 2e-4);
     }
   }
 }
 
-/// Points at 0.6 to 1 mm; contacts finer and coarser than these distances.
+/// Points 0.6 to 1 mm apart; contact radii below and above this distance.
 TEST(SurfaceCurvature, StatedErrorBoundsTheTrueOne)
 {
   for (const double a : { 0.5, 1.5, 3.0 })
@@ -279,7 +283,8 @@ TEST(SurfaceCurvature, StatedErrorBoundsTheTrueOne)
   }
 }
 
-/// Six points per wave, eight around a tube: the error of the coarse mesh is included.
+/// Six points per wave and eight around the tube of the torus: the stated error includes that of a
+/// coarse mesh.
 TEST(SurfaceCurvature, StatedErrorBoundsThatOfACoarseMesh)
 {
   for (const double a : { 0.5, 1.5, 3.0 })
@@ -300,13 +305,13 @@ TEST(SurfaceCurvature, AContactAveragesNoise)
   EXPECT_LT(contact.medianStated, 0.5 * facets.medianStated);
 }
 
-/// The turn at a sharp edge is not a curvature of its faces. A drum has the curvature of its mantle
-/// on the mantle, and none on its flat ends, up to the rim.
+/// The turn of the surface at a sharp edge is not a curvature of its faces. A drum has the
+/// curvature of its mantle on the mantle and no curvature on its flat ends, up to the rim.
 TEST(SurfaceCurvature, FacesEndAtSharpEdges)
 {
   constexpr double radius = 20.0;
   constexpr int around = 120;
-  constexpr int rings = 20; // of an end, 1 mm wide, and of the mantle
+  constexpr int rings = 20; // rings of 1 mm on each end and on the mantle
   std::vector<double> points;
   std::vector<std::int32_t> triangles;
   const auto ringAt = [&](double r, double z)
@@ -336,7 +341,7 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
   }
   const TriangleSpans surface{ points.data(), points.size() / 3, triangles.data(),
     triangles.size() / 3 };
-  std::vector<float> normals; // at the rim averaged over both faces
+  std::vector<float> normals; // averaged over both faces at the rim
   for (std::size_t i = 0; i < surface.pointCount; ++i)
   {
     const auto ring = static_cast<int>(i) / around + 1;
@@ -358,8 +363,9 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
       const auto ring = static_cast<int>(i) / around + 1;
       const double mean = ring < rings ? 0.0 : ring == rings ? 0.25 / radius : 0.5 / radius;
       const SpotCurvature at = found.at(i);
-      // Facets of 1 mm on a radius of 20: 0.1 % of a curvature. Normals are float32. At the rim a
-      // fit to the points under a wide contact has points on one side only: 2 % of the mantle's.
+      // Facets of 1 mm on a radius of 20 mm: 0.1 % of the curvature. Normals are float32. At the
+      // rim the fit under a wide contact has points on one side only: 2 % of the mantle's
+      // curvature.
       EXPECT_NEAR(at.mean(), mean, (contactRadius > 1.0 ? 0.012 : 0.002) / radius)
         << ring << ", " << contactRadius;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The effect of a term of a law, against closed forms.
+// Change of the force by a term of a law, against closed forms.
 #include "Laws/TermEffect.h"
 #include "Laws/BodyMaterial.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -27,7 +27,7 @@ BodyMaterial halfSpace(double poissonRatio = 0.45)
   return material({ 0.1, poissonRatio, 0.0, LayerBase::Bonded, false });
 }
 
-/// One point in ten has twice the curvature of the others.
+/// A shape whose curvature is twice the given one at every tenth point.
 SurfaceShape dented(double curvature)
 {
   return { 1e3, [](std::size_t) { return 0.0; },
@@ -39,7 +39,8 @@ SurfaceShape dented(double curvature)
 }
 } // namespace
 
-/// Hertz on a ball: F ~ 1/√(1/R + κ), so a flat law has an error of √(1 + R κ) - 1 at every depth.
+/// Hertz on a ball: F ∝ 1/√(1/R + κ), so the law of a flat body has an error of √(1 + R κ) - 1 at
+/// every depth.
 TEST(TermEffect, OfCurvature)
 {
   const Paraboloid shape;
@@ -51,12 +52,12 @@ TEST(TermEffect, OfCurvature)
     return changeOfForce(
       { *tool, 1.0, 100, surface, share }, { body, true, nullptr }, { body, false, nullptr });
   };
-  // 1e-5: laws are stored at nodes.
+  // 1e-5: error of a law stored at nodes.
   EXPECT_NEAR(change(0.9), std::sqrt(1.0 + shape.radius * 0.02) - 1.0, 1e-5);
   EXPECT_NEAR(change(0.95), std::sqrt(1.0 + shape.radius * 0.04) - 1.0, 1e-5);
 }
 
-/// One layer split into two halves is the same layer.
+/// One layer, split into two halves of the same material, is the same layer.
 TEST(TermEffect, OfALayerInTwo)
 {
   const auto tool = makeTool({ ToolShape::Sphere, 4.0 });
@@ -66,14 +67,14 @@ TEST(TermEffect, OfALayerInTwo)
   const BodyMaterial one = material({ 0.1, 0.45, 5.0, LayerBase::Bonded, false });
   const SurfaceShape flat = dented(0.0);
   const PressedBody body{ *tool, 0.5, 100, flat };
-  // 1e-5: the kernels of the stack are interpolated between nodes.
+  // 1e-5: error of the stack's kernels, which are interpolated between nodes.
   EXPECT_LT(changeOfForce(body, { stack }, { one }), 1e-5);
-  // Without the base it is much softer (Data/Reference: χ = a/h = 0.28, ν = 0.45).
+  // Without the base the body is much softer (Data/Reference: χ = a/h = 0.28, ν = 0.45).
   EXPECT_GT(changeOfForce(body, { stack }, { halfSpace() }), 0.1);
 }
 
-/// c of a sphere at δ = R/2 is 1.070 at ν = 0.3 and 0.988 at 0.45 (another code:
-/// Data/Reference/deep).
+/// The factor c of a sphere at δ = R/2 is 1.070 at ν = 0.3 and 0.988 at ν = 0.45 (computed by
+/// another code: Data/Reference/deep).
 TEST(TermEffect, OfFiniteStrain)
 {
   const auto tool = makeTool({ ToolShape::Sphere, 4.0 });
@@ -87,7 +88,7 @@ TEST(TermEffect, OfFiniteStrain)
                 { ratio, ratio, true, 0.0, 0.0, LayerBase::Bonded }, 2.0, {}, strain),
       "");
     const double change = changeOfForce(body, { soft, false, strain.get() }, { soft });
-    EXPECT_NEAR(change, std::abs(1.0 / c - 1.0), 0.003); // the tables differ by 0.2 % of F
+    EXPECT_NEAR(change, std::abs(1.0 / c - 1.0), 0.003); // the two tables differ by 0.2 % of F
     EXPECT_GE(boundOfStrain(body, { soft }), change);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The validity of a law and its limit: by Hertz's contact radius.
+// The validity of a law and the reason of its limit, by Hertz's contact radius.
 #include "Laws/ValidityRule.h"
 
 #include "Paraboloid.h"
@@ -42,7 +42,7 @@ TEST_F(Validity, StrainAtTwoFifthsOfTheRadius)
 
 TEST_F(Validity, CurvatureWhereTheNormalTurns)
 {
-  const auto answer = this->at(this->Flat, 0.2); // 0.2 rad within 1 mm
+  const auto answer = this->at(this->Flat, 0.2); // the normal turns by 0.2 rad within 1 mm
   EXPECT_EQ(answer.limit, ResponseLimit::Curvature);
   EXPECT_NEAR(answer.depth, this->Shape.depthAt(1.0), 1e-12);
 }

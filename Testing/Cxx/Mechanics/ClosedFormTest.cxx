@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The closed forms keep their accuracy very near the axis and very far from it, where the textbook
 // formulas suffer from cancellation. Reference: the textbook formulas in long double, and series
-// where these cancel.
+// where the cancellation is too large for long double.
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
@@ -14,7 +14,7 @@ namespace
 {
 using Real = long double;
 
-/// F(r)/F at q = (r/a)², by the reference sheet; a series for small q.
+/// F(r)/F over q = (r/a)², by the reference sheet; for small q by a series.
 Real flatShare(Real q)
 {
   return q < 1e-6L ? q / 2 + q * q / 8 + q * q * q / 16 : 1 - std::sqrt(1 - q);
@@ -29,17 +29,17 @@ Real coneShare(Real q)
   return q * log + (q < 1e-6L ? q / 2 + q * q / 8 + q * q * q / 16 : 1 - std::sqrt(1 - q));
 }
 
-/// u_z outside, x = a/r, by the reference sheet.
+/// u_z outside the contact, with x = a/r, by the reference sheet.
 Real flatOutside(Real x)
 {
   return 2 * std::asin(x) / static_cast<Real>(Pi);
 }
-/// u_z outside, times R/a².
+/// u_z outside the contact, times R/a².
 Real paraboloidOutside(Real x)
 {
   return ((2 - 1 / (x * x)) * std::asin(x) + std::sqrt(1 - x * x) / x) / static_cast<Real>(Pi);
 }
-/// u_z outside, over c a.
+/// u_z outside the contact, divided by c a.
 Real coneOutside(Real x)
 {
   return std::asin(x) + (std::sqrt(1 - x * x) - 1) / x;
@@ -56,7 +56,8 @@ void compareLoad(const char* name, Real (*share)(Real))
       -t->surfaceDisplacement(ratio * a, depth, 0.0).radial * 2.0 * Pi * ratio * a;
     const Real q = static_cast<Real>(ratio) * ratio;
     const auto expected = static_cast<double>(static_cast<Real>(t->force(depth, 1.0)) * share(q));
-    // 1e-19/q > 1e-6 in the reference; near the rim r is rounded: 1e-16/(1-r/a).
+    // The reference has an error of 1e-19/q with q > 1e-6. Near the rim r is rounded, which adds
+    // 1e-16/(1-r/a).
     EXPECT_TRUE(agrees(load, expected, 2e-12)) << name << " at " << ratio;
   }
 }
@@ -70,9 +71,9 @@ void compareOutside(const char* name, Real (*form)(Real), double unit)
   {
     const double normal = t->surfaceDisplacement(ratio * a, depth, 0.3).normal;
     const auto expected = static_cast<double>(unit * form(1 / static_cast<Real>(ratio)));
-    // In long double the paraboloid loses a factor (r/a)² = 1e6 by cancellation: 1e-13. Near the
-    // rim r is rounded by 1e-16/(r/a-1). Below 20 a the library's own closed form loses (r/a)² =
-    // 400.
+    // In long double the paraboloid loses a factor of (r/a)² = 1e6 by cancellation: 1e-13. Near the
+    // rim the rounding of r adds 1e-16/(r/a-1). Below 20 a the library's own closed form loses a
+    // factor of (r/a)² = 400.
     EXPECT_TRUE(agrees(normal, expected, 5e-13)) << name << " at " << ratio;
   }
 }
@@ -106,7 +107,7 @@ TEST(ClosedForm, FarFieldToSecondOrder)
       const double r = ratio * a;
       const double scaled =
         t->surfaceDisplacement(r, 0.5, 0.3).normal * Pi * r / t->force(0.5, 1.0);
-      // The next term is below (a/r)⁴; 1e-15 for rounding.
+      // The next term is below (a/r)⁴. Rounding adds 1e-15.
       EXPECT_NEAR(scaled, 1.0 + 0.25 * meanSquare / (ratio * ratio), std::pow(ratio, -4.0) + 2e-15)
         << name << " at " << ratio;
     }
@@ -123,7 +124,7 @@ TEST(ClosedForm, PressureOfTheReferenceSheet)
   {
     const Real s = share;
     const auto root = static_cast<double>(std::sqrt(1 - s * s));
-    // r = share·a is rounded: relative error 1e-16/(1-r/a) = 1e-10 at the last one.
+    // r = share·a is rounded: a relative error of 1e-16/(1-r/a), which is 1e-10 at the last radius.
     const double tolerance = 1e-15 + 3e-16 / (1.0 - share);
     EXPECT_TRUE(agrees(
       tool("flat:1.6")->pressure(share * 1.6, depth, 1.0), depth / (Pi * 1.6 * root), tolerance));

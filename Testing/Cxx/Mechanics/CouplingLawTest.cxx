@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Deflection of a layer next to a force, against direct integration of its Hankel transform.
+// Deflection of a layer at a distance from a force, against direct integration of its Hankel
+// transform.
 #include "Mechanics/Coupling/CouplingLaw.h"
 #include "Mechanics/Layers/LayerStack.h"
 #include "Mechanics/Numerics/Constants.h"
@@ -19,7 +20,7 @@ using palpate::testing::ReferenceTable;
 
 namespace
 {
-/// W - 1 of a layer as in LayerKernel.h, over e^(2ω).
+/// W - 1 of a layer as in LayerKernel.h. Numerator and denominator are divided by e^(2ω).
 double transform(double w, double nu, LayerBase base)
 {
   const double e2 = std::exp(-2.0 * w);
@@ -33,11 +34,11 @@ double transform(double w, double nu, LayerBase base)
     1.0;
 }
 
-/// 1 + x ∫ (W - 1) J₀(ωx) dω by Simpson's rule: 1e-8 for x up to 6.
+/// 1 + x ∫ (W - 1) J₀(ωx) dω by Simpson's rule, with an error of 1e-8 for x up to 6.
 double byQuadrature(double x, double nu, LayerBase base)
 {
   constexpr int steps = 8000;
-  constexpr double end = 25.0; // e^-50 remains
+  constexpr double end = 25.0; // the integrand has fallen to e^-50
   double sum = 0.0;
   for (int i = 0; i <= steps; ++i)
   {
@@ -62,25 +63,26 @@ TEST(CouplingLaw, IsTheHankelTransformOfTheLayer)
     const CouplingLaw law(LayerKernel(nu, base));
     for (const double x : { 0.0, 0.03, 0.2, 0.77, 1.0, 1.6, 2.5, 4.1, 6.0 })
     {
-      // Error of the polynomials between the knots.
+      // 2e-6: error of the polynomials between the knots.
       EXPECT_NEAR(law.at(x).value, byQuadrature(x, nu, base), 2e-6) << nu << " " << x;
       const double step = 1e-3;
       const double slope = x == 0.0
         ? (byQuadrature(step, nu, base) - 1.0) / step
         : (byQuadrature(x + step, nu, base) - byQuadrature(x - step, nu, base)) / (2.0 * step);
-      // Differences have an error of step² g'''/6, one-sided ones of step g''/2.
+      // Central differences have an error of step² g'''/6, one-sided differences of step g''/2.
       EXPECT_NEAR(law.at(x).slope, slope, x == 0.0 ? 1e-3 : 5e-5) << nu << " " << x;
     }
   }
 }
 
-// For two flat ends with a radius of half the thickness boundary elements give 0.14, -0.08, -0.05
-// at 2, 3 and 5 radii. The law of a point gives their forces at equal depth with errors of 6 to 14
-// %, 1.8 % and 0.3 %.
+// Two flat ends with a radius of half the thickness: boundary elements give g = 0.14, -0.08 and
+// -0.05 at a distance of 2, 3 and 5 radii. With the law of a point force, the forces of the two
+// ends at equal depth have errors of 6 to 14 %, 1.8 % and 0.3 %.
 TEST(CouplingLaw, BulgesBeyondOneThickness)
 {
   const CouplingLaw law(LayerKernel(0.45, LayerBase::Bonded));
-  const double factor = 1.80625993706; // layer_bonded_flat_kappa.csv
+  // force on the layer / force on the half-space: layer_bonded_flat_kappa.csv
+  const double factor = 1.80625993706;
   const struct
   {
     double radii, share, least, most;
@@ -104,7 +106,7 @@ TEST(CouplingLaw, OfAHalfSpaceIsBoussinesq)
   EXPECT_DOUBLE_EQ(law.contactRadius(12.0, 3.0, 0.0), 2.0);
 }
 
-// Layers on a half-space of the same material are a half-space.
+// A layer on a half-space of the same material is a half-space.
 TEST(CouplingLaw, OfALayerOnItsLikeIsBoussinesq)
 {
   palpate::LayerStack stack;
@@ -135,7 +137,7 @@ TEST(CouplingLaw, TellsTheRadiusOfAStiffness)
       const double thickness = 3.0;
       const double radius = std::stod(ratio) * thickness;
       const double stiffness = 2.0 * 1.7 * radius * table.number(row, ratio);
-      // Linear interpolation between the knots.
+      // Error of the linear interpolation between the knots: 1 %.
       EXPECT_NEAR(law.contactRadius(stiffness, 1.7, thickness) / radius, 1.0, 0.01)
         << nu << " " << ratio;
       ++compared;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables as in RFC 4180 and from spreadsheets are read. For invalid ones the error names file, line
+// Reads tables as in RFC 4180 and from spreadsheets. The error of an invalid table names file, line
 // and column.
 #include "Mechanics/Files/CsvReader.h"
 #include "Mechanics/Files/CsvRow.h"
@@ -25,7 +25,7 @@ namespace
 {
 using Table = std::vector<std::vector<std::string>>;
 
-/// All records; after a fault only the fault.
+/// Returns all records; after a fault only the fault.
 Table readAll(const std::string& text)
 {
   std::istringstream stream(text);
@@ -42,7 +42,7 @@ Table readAll(const std::string& text)
   return csv.fault().empty() ? table : Table{ { csv.fault() } };
 }
 
-/// Fault of a table of numbers with the columns a and b; b may be missing.
+/// Returns the fault of a table of numbers with the columns a and b, of which b may be missing.
 std::string faultOf(const std::string& text)
 {
   std::istringstream stream(text);
@@ -195,7 +195,8 @@ TEST(CsvRow, IsReadBackAsItWas)
   Table written;
   for (int row = 0; row < 200; ++row)
   {
-    written.push_back({ "x" }); // blanks at the ends do not count
+    // the reader removes blanks at the ends of a cell, so each cell begins and ends with a letter
+    written.push_back({ "x" });
     CsvRow line;
     for (int i = 0; i < 5; ++i)
     {

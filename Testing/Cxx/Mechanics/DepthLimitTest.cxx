@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depth beyond which a profile touches outside its circle of contact, against the gap from the
-// tests' own quadrature of the exact reduced profile.
+// The depth beyond which a profile touches the body outside its circle of contact, compared with
+// the gap computed by the tests' own quadrature of the exact reduced profile.
 #include "Mechanics/Tools/DepthLimit.h"
 
 #include "Agreement.h"
@@ -15,22 +15,21 @@ using palpate::testing::tool;
 
 namespace
 {
-// A cone of 45° with a shoulder: f = min(r, 1), to r = 20.
+// A cone of 45° with a shoulder: f = min(r, 1) up to r = 20.
 const char* const Shoulder = "profile:0,0;1,1;20,1";
 
-/// δ - f - u_z of this tool at r > 1, with the contact on the cone, a = 2δ/π: penetration of the
-/// shoulder.
+/// Penetration of the shoulder, δ - f - u_z at r > 1, while the contact is on the cone: a = 2δ/π.
 double penetration(double depth, double r)
 {
   const double a = 2.0 * depth / Pi;
   const double x = a / r;
   const double outside = 2.0 / Pi * depth *
-    (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // u_z of the cone, c = 1
+    (std::asin(x) + (std::sqrt(1.0 - x * x) - 1.0) / x); // u_z of the cone with c = 1
   return depth - 1.0 - outside;
 }
 
-/// The depth at which the gap over a shoulder with the slope `slope` closes at r, to within a
-/// thousandth of δ; by bisection.
+/// The depth at which the gap between the body and a shoulder with the given slope closes at r. By
+/// bisection, to a thousandth of δ.
 double closingDepth(double r, double slope)
 {
   double low = 0.5;
@@ -47,21 +46,23 @@ double closingDepth(double r, double slope)
 TEST(DepthLimit, OfAConeWithAShoulder)
 {
   const auto t = tool(Shoulder);
-  // The reference sheet: at δ = 1.1, a = 0.70 and the shoulder penetrates by 0.088 at r = 20.
+  // Values of the reference sheet: at δ = 1.1, a = 0.70 and the shoulder penetrates by 0.088 at r =
+  // 20.
   EXPECT_NEAR(2.0 * 1.1 / Pi, 0.70, 0.005);
   EXPECT_NEAR(penetration(1.1, 20.0), 0.088, 0.0005);
   EXPECT_TRUE(std::isnan(t->force(1.1, 1.0)));
 
-  // The gap closes first at the far end.
+  // The gap closes first at the outer end of the shoulder.
   const palpate::DepthLimit limit = t->depthLimit();
   EXPECT_EQ(limit.radius, 20.0);
-  EXPECT_TRUE(agrees(limit.depth, closingDepth(20.0, 0.0), 1e-3)); // g is sampled at 500 points
+  // 1e-3: the library samples g at 500 points
+  EXPECT_TRUE(agrees(limit.depth, closingDepth(20.0, 0.0), 1e-3));
 }
 
 TEST(DepthLimit, OfAShoulderHoweverWide)
 {
-  // A shoulder with a very small slope. Behind the corner g has a dip with a length of 1 or more, a
-  // tiny part of a wide shoulder. The gap closes first at the smallest sum of rise and u_z.
+  // A shoulder with a very small slope. Behind the corner, g falls over a length of 1 mm or more, a
+  // tiny part of a wide shoulder. The gap closes first where the sum of rise and u_z is smallest.
   struct Case
   {
     const char* tool;
@@ -78,7 +79,7 @@ TEST(DepthLimit, OfAShoulderHoweverWide)
     {
       closing = std::min(closing, closingDepth(r, each.slope));
     }
-    // g is sampled at 500 points.
+    // 1e-3: the library samples g at 500 points.
     EXPECT_TRUE(agrees(tool(each.tool)->depthLimit().depth, closing, 1e-3)) << each.tool;
   }
 }
@@ -96,7 +97,7 @@ TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
   const std::string text = t->checkDepth(1.1);
   EXPECT_NE(text.find("1.1 mm"), std::string::npos) << text;
   EXPECT_NE(text.find("r = 20 mm"), std::string::npos) << text;
-  // Up to this depth, the law of the cone.
+  // Up to this depth the force is that of the cone.
   EXPECT_EQ(t->checkDepth(0.999 * limit), "");
   EXPECT_TRUE(
     agrees(t->force(0.999 * limit, 1.0), tool("cone:45")->force(0.999 * limit, 1.0), 1e-14));
@@ -104,8 +105,9 @@ TEST(DepthLimit, EveryAnswerBeyondItIsNaN)
 
 TEST(DepthLimit, IsTheRootOfTheGapOfAnyProfile)
 {
-  // A wavy cone with waves too deep to be filled at once. At the returned depth the surface of the
-  // law must touch the tool, within the tolerance of a thousandth, and nowhere outside before.
+  // A cone with waves that are too deep to be filled at once. At the returned depth the computed
+  // surface must touch the tool, within the tolerance of a thousandth, and at no smaller depth may
+  // it touch outside the contact.
   const auto t = tool("profile:0,0;1,0.6;1.5,0.5;2,1;3,1.8;4,1.7;5,2.6");
   const palpate::DepthLimit limit = t->depthLimit();
   ASSERT_TRUE(std::isfinite(limit.depth));
@@ -123,8 +125,7 @@ TEST(DepthLimit, IsTheRootOfTheGapOfAnyProfile)
     }
     return worst;
   };
-  // Accurate to 1e-3, for a gap that closes at a rate below 1: 1e-3 of the depth in either
-  // direction.
+  // The depth has an error of 1e-3 in either direction, and the gap closes at a rate below 1.
   EXPECT_NEAR(largest(limit.depth), 1e-3, 1e-3);
   EXPECT_LT(largest(0.99 * limit.depth), 0.0);
 }
@@ -150,8 +151,8 @@ TEST(DepthLimit, ConvexProfilesHaveNone)
 
 TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
 {
-  // f = sin r + 0.1 r is concave everywhere, but g rises up to r = 1.2 and beyond. Each of its
-  // samples has a concave corner: the law must not end at any of them.
+  // f = sin r + 0.1 r is concave everywhere, but g rises up to r = 1.2 and beyond. Each sampled
+  // point is a concave corner; the law must not end at any of them.
   palpate::GeneralTool::Shape shape{ [](double r) { return std::sin(r) + 0.1 * r; },
     [](double r) { return std::cos(r) + 0.1; }, [](double r) { return -std::sin(r); }, {}, 0.0,
     1.2 };
@@ -166,7 +167,7 @@ TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
   EXPECT_TRUE(std::isinf(sampled.depthLimit().depth));
   for (const double depth : { 0.1, 0.5, 1.0, 3.0 })
   {
-    // Second order: (r/100)² times a factor.
+    // The error is of second order: (r/100)² times a factor.
     EXPECT_TRUE(agrees(sampled.force(depth, 1.0), smooth.force(depth, 1.0), 1e-4)) << depth;
     EXPECT_TRUE(agrees(sampled.contactRadius(depth), smooth.contactRadius(depth), 1e-2)) << depth;
   }
@@ -174,9 +175,9 @@ TEST(DepthLimit, SamplesOfASmoothConcaveProfileAreOneTool)
 
 TEST(DepthLimit, CostsAtMostTwoThousandthsOfTheForce)
 {
-  // The force is monotone in the profile. With the dips of g filled (its running maximum), the law
-  // is that of a higher profile in full contact, thus a lower bound. The effect of the tolerance is
-  // between the two.
+  // The force decreases if the profile is raised. With the dips of g filled (its running maximum)
+  // the profile is higher and in full contact, so the force is a lower bound. The tolerance changes
+  // the force by less than the difference from this bound.
   const auto t = tool("profile:0,0;1,0.3;2,0.59;3,0.87;4,1.6");
   ASSERT_TRUE(std::isinf(t->depthLimit().depth));
   const Quadrature rule(4000);

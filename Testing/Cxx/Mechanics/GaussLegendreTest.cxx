@@ -14,7 +14,7 @@ TEST(GaussLegendre, ExactForPolynomialsUpToDegree2n1)
     {
       const double computed =
         rule.integrate(0.0, 2.0, [&](double x) { return std::pow(0.5 * x, degree); });
-      // ∫_0^2 (x/2)^d dx = 2/(d+1); the eigenvalues are accurate to about 1e-15.
+      // ∫_0^2 (x/2)^d dx = 2/(d+1). The eigenvalues are accurate to about 1e-15.
       EXPECT_TRUE(palpate::testing::agrees(computed, 2.0 / (degree + 1), 1e-13))
         << n << " nodes, degree " << degree;
     }
@@ -23,7 +23,8 @@ TEST(GaussLegendre, ExactForPolynomialsUpToDegree2n1)
 
 TEST(GaussLegendre, NotExactBeyond)
 {
-  // ∫_-1^1 of the squared Legendre polynomial P_2 = (3x²-1)/2 is 2/5; two nodes are its roots.
+  // The integral of P_2² = ((3x²-1)/2)² over [-1, 1] is 2/5, but the two nodes are the roots of the
+  // Legendre polynomial P_2.
   const palpate::GaussLegendre rule(2);
   const double computed =
     rule.integrate(-1.0, 1.0, [](double x) { return std::pow(1.5 * x * x - 0.5, 2); });

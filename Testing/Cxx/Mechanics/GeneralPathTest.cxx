@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The general code path for any profile (g by quadrature of f', all else by quadrature of g),
+// The general code for any profile (g by quadrature of f', the other results by quadrature of g),
 // against the closed forms of the nine shapes.
 #include "GeneralTool.h"
 
@@ -30,7 +30,7 @@ GeneralTool::Shape powerLaw(double n, double B)
     [=](double r) { return n * (n - 1.0) * B * std::pow(r, n - 2.0); }, {} };
 }
 
-/// Up to 0.999 R, so that the slope of the profile stays finite.
+/// A sphere up to 0.999 R, so that the slope of the profile stays finite.
 GeneralTool::Shape sphere(double R)
 {
   return { [=](double r) { return R - std::sqrt(R * R - r * r); },
@@ -67,7 +67,7 @@ GeneralTool::Shape roundedFlat(double b, double edge)
     [=](double r) { return r > b ? 1.0 / edge : 0.0; }, { b }, b };
 }
 
-/// Corners at 0, 1, 2 and a wall at 4, as "profile:0,0;1,0.25;2,1;4,4".
+/// Corners at 0, 1 and 2, and a wall at 4, as in "profile:0,0;1,0.25;2,1;4,4".
 GeneralTool::Shape corners()
 {
   return { [](double r) { return r < 1.0 ? 0.25 * r
@@ -87,14 +87,14 @@ struct Case
 
 std::vector<Case> cases()
 {
-  // Depths on both sides of every kink; the last one of the profile is beyond its wall.
+  // Depths on both sides of every kink. The last depth of the profile puts its wall in contact.
   return { { "flat:1.6", flat(1.6), { 1e-3, 0.2, 1.5 } },
     { "paraboloid:6.35", powerLaw(2.0, 0.5 / 6.35), { 1e-3, 0.2, 1.5 } },
     { "sphere:1.6", sphere(1.6), { 1e-3, 0.2, 1.5 } },
     { "cone:60", cone(60.0), { 1e-3, 0.2, 1.5 } }, { "cone:20", cone(20.0), { 1e-3, 0.2, 1.5 } },
     { "truncated:1,60", truncatedCone(1.0, 60.0), { 1e-3, 0.2, 1.5 } },
     { "blunted:1,60", bluntedCone(1.0, 60.0), { 1e-3, 0.2, 0.3, 1.5 } },
-    // a tip far wider than the contact, where the closed form cancels
+    // a tip that is much wider than the contact, where the closed form suffers from cancellation
     { "blunted:50,89.5", bluntedCone(50.0, 89.5), { 1e-4, 1e-3, 1e-2 } },
     { "power:1.1,0.2", powerLaw(1.1, 0.2), { 1e-3, 1.5 } },
     { "rounded:1.2,0.4", roundedFlat(1.2, 0.4), { 1e-3, 0.2, 1.5 } },
@@ -118,9 +118,9 @@ TEST_P(GeneralPath, ReducedProfile)
   for (const double share : { 1e-9, 1e-3, 0.3, 0.9, 0.99999 })
   {
     const double x = share * std::min(this->Closed->largestContactRadius(), 5.0);
-    // Closed forms are required to 1e-10. The quadrature of f' gives 1e-13. For the sphere at
-    // 0.99999 R, whose slope is singular at R, its accuracy falls to 3e-7 (and beyond its outer
-    // radius).
+    // 1e-10 is required of the closed forms. The quadrature of f' is accurate to 1e-13. For the
+    // sphere its accuracy falls to 3e-7 at 0.99999 R (beyond the outer radius here), because the
+    // slope is singular at R.
     if (x < this->General.largestContactRadius())
     {
       EXPECT_TRUE(agrees(this->General.reducedProfile(x), this->Closed->reducedProfile(x), 1e-10))
@@ -164,8 +164,8 @@ TEST_P(GeneralPath, PressureAndDisplacement)
     }
     for (const double r : radii)
     {
-      // The issue requires 1e-8 from quadrature. The sums of f' and f'' in g' lose about 1e-16 over
-      // the distance from a kink, 1e-6, twice; the radii differ by that too.
+      // 1e-8 is required of the quadrature. The sums of f' and f'' in g' lose about 1e-16 divided
+      // by the distance from a kink, 1e-6, twice. The radii differ by as much.
       const double pressure = this->Closed->pressure(r, depth, 1.0);
       EXPECT_TRUE(agrees(this->General.pressure(r, depth, 1.0), pressure, 1e-8)) << r / a;
       const auto u = this->Closed->surfaceDisplacement(r, depth, 0.2);
@@ -195,9 +195,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(GeneralPathSphere, UpToItsShoulders)
 {
-  // Pressure and displacements of the sphere use the general code: compared with the tests' own
-  // rule of 400 points on g = x artanh(x/R), with a different substitution (x = r + (a-r) u², x = a
-  // sin θ).
+  // Pressure and displacements of the sphere use the general code. They are compared with the
+  // tests' own rule of 400 points on g = x artanh(x/R), with a different substitution (x = r +
+  // (a-r) u², x = a sin θ).
   const double R = 1.6;
   const palpate::testing::Quadrature rule(400);
   const auto sphere = palpate::testing::tool("sphere:1.6");
@@ -217,7 +217,7 @@ TEST(GeneralPathSphere, UpToItsShoulders)
                                   return slope(x) * 2.0 / std::sqrt(x + r);
                                 }) /
         Pi;
-      // a is computed back from δ with an error of 1e-16/(1-a/R) = 1e-14; the library guarantees
+      // a is computed back from δ with an error of 1e-16/(1-a/R) = 1e-14. The library guarantees
       // 1e-11 up to 0.99 R.
       EXPECT_TRUE(agrees(sphere->pressure(r, depth, 1.0), pressure, 1e-10)) << ratio;
     }

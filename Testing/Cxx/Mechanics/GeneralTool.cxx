@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestSearched = 1e9; // mm, largest contact radius of the search
+constexpr double LargestSearched = 1e9; // mm, largest contact radius that is searched
 } // namespace
 
 GeneralTool::GeneralTool(Shape shape)
@@ -52,8 +52,8 @@ double GeneralTool::reducedSlope(double x) const
 }
 
 /// The radius at which `excess`, a function of x, first exceeds 0; the outer radius if it never
-/// does. The search is between neighbouring kinks, over t with x² = kink² + t², in which g is
-/// analytic.
+/// does. The search runs between neighbouring kinks over t with x² = kink² + t², because g is
+/// analytic in t.
 double GeneralTool::passage(const std::function<ValueAndSlope(double)>& excess) const
 {
   double begin = this->Given.flat;

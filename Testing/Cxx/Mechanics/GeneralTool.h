@@ -12,19 +12,19 @@
 namespace palpate
 {
 /**
- * A tool given as a function. Everything follows from the profile f by quadrature, the general path
- * for any profile (DimensionalityReduction.h). It is meant for a shape without its own class. The
- * nine shapes have closed forms, and the tests compare the two.
- * Accuracy about 1e-9. Cost: an evaluation takes about 0.1 ms for each kink below the contact
- * radius, pressure and displacements ten times that. g must increase, otherwise the law is wrong
- * from some depth on: set `outer` to have that depth computed. specification() is empty, because a
+ * A tool given by its profile f as a function, for a shape without its own class. All results are
+ * computed from f by quadrature, with the general code for any profile (DimensionalityReduction.h).
+ * The nine shapes have closed forms, and the tests compare both.
+ * Accuracy: about 1e-9. Cost: an evaluation takes about 0.1 ms for each kink below the contact
+ * radius, pressure and displacements ten times as long. g must increase, otherwise the law is wrong
+ * from some depth on; this depth is computed if `outer` is set. specification() is empty, because a
  * function has no text form.
  */
 class GeneralTool final : public AxisymmetricTool
 {
 public:
   using Function = std::function<double(double)>;
-  /// The profile f(r), its derivatives, and its non-smooth points. Radii in mm.
+  /// The profile f(r), its derivatives and its non-smooth points. Radii in mm.
   struct Shape
   {
     Function profile;          ///< f, mm, f(0) = 0
@@ -40,7 +40,7 @@ public:
   std::string specification() const override { return {}; }
   double profile(double r) const override;
   double forceExponent() const override { return this->Given.exponent; }
-  /// Strain by δ/a.
+  /// Depth at which the strain δ/a has the given value, mm.
   double depthAtStrain(double ratio) const override;
   double depthAtContactRadius(double a) const override;
   double reducedProfile(double x) const override;

@@ -59,7 +59,7 @@ TEST(GoldenNumbers, OfThisLibrarysTools)
     if (found != computed.end())
     {
       SCOPED_TRACE(found->first);
-      // Closed forms with 15 printed digits; the radii come from a root search to 2e-12 mm.
+      // Closed forms with 15 printed digits. The root search finds the radii to 2e-12 mm.
       EXPECT_TRUE(agrees(found->second(), table.number(i, "value"), 5e-12));
       ++checked;
     }
@@ -79,7 +79,7 @@ TEST(GoldenNumbers, TheTwoToolsOfThePaperCross)
   const double force = golden.at("fig6_cross_force");
   const auto sphere = tool("paraboloid:6.35");
   const auto flat = tool("flat:1.6");
-  // Closed form, δ = 9a²/4R, with 15 printed digits.
+  // The depth has the closed form δ = 9a²/4R. The force has 15 printed digits.
   EXPECT_TRUE(agrees(sphere->force(depth, Rubber), force, 1e-14));
   EXPECT_TRUE(agrees(flat->force(depth, Rubber), force, 1e-14));
   EXPECT_LT(sphere->force(0.999 * depth, Rubber), flat->force(0.999 * depth, Rubber));

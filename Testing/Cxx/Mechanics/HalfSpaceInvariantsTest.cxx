@@ -13,9 +13,9 @@ using palpate::testing::Rubber;
 
 namespace
 {
-/// ∫ f dr over 0..end, split at the kinks, with 400 points each on r = p + (q-p) v² (3-2v). An
-/// inverse root at an end becomes smooth; a logarithm becomes v log v, for which 400 points have an
-/// error of 1e-10.
+/// ∫ f dr over 0..end, split at the kinks, with 400 points per part and the substitution r = p +
+/// (q-p) v² (3-2v). It makes an inverse square root at an end smooth. A logarithm becomes v log v,
+/// for which 400 points have an error of 1e-10.
 template <class Function>
 double integrateBetweenKinks(const std::vector<double>& kinks, double end, Function&& f)
 {
@@ -59,8 +59,8 @@ TEST_P(HalfSpaceInvariants, StiffnessIsTheSlopeOfTheForce)
     };
     const double h = 1e-3 * depth;
     const double slope = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
-    // Richardson: truncation ~ (h/δ)⁴ = 1e-12, rounding ~ 1e-16 δ/h = 1e-13, both times a small
-    // factor.
+    // Richardson extrapolation: truncation (h/δ)⁴ = 1e-12, rounding 1e-16 δ/h = 1e-13, both times a
+    // small factor.
     EXPECT_TRUE(agrees(this->Tool->stiffness(depth, Rubber), slope, 2e-11)) << depth;
   }
 }
@@ -82,7 +82,7 @@ TEST_P(HalfSpaceInvariants, PressureCarriesTheForce)
     const double carried =
       integrateBetweenKinks(this->Tool->kinks(), this->Tool->contactRadius(depth),
         [&](double r) { return this->Tool->pressure(r, depth, Rubber) * 2.0 * Pi * r; });
-    // Near a rim a²-r² keeps only 1e-16/(1-r/a) of its digits: 1e-10 in all.
+    // Near a rim the rounding of a²-r² is 1e-16/(1-r/a): 1e-10 of the whole force.
     EXPECT_TRUE(agrees(carried, this->Tool->force(depth, Rubber), 1e-9)) << depth;
   }
 }
@@ -120,11 +120,12 @@ TEST_P(HalfSpaceInvariants, NormalDisplacementIsContinuousAtTheRim)
   for (const double depth : { 0.01, 0.5, 2.0 })
   {
     const double a = this->Tool->contactRadius(depth);
-    const bool flat = a == this->Tool->largestContactRadius(); // a punch or the wall of a profile
+    // the contact ends at an edge: a flat end or the wall of a profile
+    const bool flat = a == this->Tool->largestContactRadius();
     const double rim = this->Tool->surfaceDisplacement(a, depth, 0.3).normal;
     const double outside = this->Tool->surfaceDisplacement(a * (1.0 + 1e-10), depth, 0.3).normal;
-    // Beyond a rim u_z falls like √(r/a-1) = 1e-5 under a flat end (asin: times √2·2/π = 0.9), and
-    // like r-a under a smooth tool: slope <= 10 here, 1e-10 a.
+    // Just beyond a rim u_z falls as √(r/a-1) = 1e-5 under a flat end (with asin: times √2·2/π =
+    // 0.9). Under a smooth tool u_z falls as r-a, with a slope of at most 10 here, thus by 1e-10 a.
     EXPECT_NEAR(outside, rim, flat ? 1e-5 * depth : 1e-8 * depth) << depth;
     EXPECT_LE(outside, rim + 1e-13);
   }
@@ -138,7 +139,8 @@ TEST_P(HalfSpaceInvariants, NormalDisplacementFarAwayIsThatOfAPointForce)
   for (const double distance : { 1e3, 1e5, 1e8, 1e12, 1e60, 1e120, 1e180 })
   {
     const double r = distance * a;
-    // Boussinesq: F/(πE* r), smaller by <ρ²>/4r² <= (a/r)²/6; quadrature rounds at 1e-13.
+    // Boussinesq: F/(πE* r). The relative difference is at most <ρ²>/4r² <= (a/r)²/6; the
+    // quadrature has an error of 1e-13.
     const double tolerance = 1.0 / (6.0 * distance * distance) + 1e-12;
     EXPECT_TRUE(
       agrees(this->Tool->surfaceDisplacement(r, depth, 0.3).normal, force / (Pi * r), tolerance))
@@ -153,7 +155,7 @@ TEST_P(HalfSpaceInvariants, RadialDisplacementOutsideIsThatOfAPointForce)
   for (const double distance : { 1.0, 1.5, 1e3, 1e12 })
   {
     const double r = distance * a;
-    // -(1-2ν)/(2π(1-ν)E*) F/r at ν = 0.25: -F/(3πE* r). Exact up to a few roundings.
+    // -(1-2ν)/(2π(1-ν)E*) F/r at ν = 0.25 is -F/(3πE* r), exact up to a few roundings.
     EXPECT_TRUE(agrees(this->Tool->surfaceDisplacement(r, depth, 0.25).radial,
       -this->Tool->force(depth, 1.0) / (3.0 * Pi * r), 1e-14))
       << distance;

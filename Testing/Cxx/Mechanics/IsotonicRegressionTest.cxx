@@ -11,8 +11,8 @@ using palpate::isotonicRegression;
 
 namespace
 {
-/// The min-max formula (Robertson, Wright and Dykstra 1988, theorem 1.4.4): at i the largest value
-/// over a <= i of the smallest value over b >= i of the mean of a..b.
+/// The min-max formula (Robertson, Wright and Dykstra 1988, theorem 1.4.4): the value at i is the
+/// maximum over a <= i of the minimum over b >= i of the mean of a..b.
 std::vector<double> bruteForce(const std::vector<double>& values)
 {
   std::vector<double> fitted;
@@ -58,7 +58,8 @@ TEST(IsotonicRegression, AgreesWithTheMinMaxFormula)
       EXPECT_TRUE(std::is_sorted(fitted.begin(), fitted.end()));
       for (std::size_t i = 0; i < count; ++i)
       {
-        EXPECT_NEAR(fitted[i], expected[i], 1e-13); // reordered sums of 60 numbers of order 10
+        // sums of 60 numbers of order 10, added in another order
+        EXPECT_NEAR(fitted[i], expected[i], 1e-13);
       }
     }
   }

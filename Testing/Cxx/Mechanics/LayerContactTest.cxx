@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of any tool on a layer: against a dense solution of the integral equation with another
-// quadrature rule, and by invariants.
+// Any tool on a layer: against a dense solution of the integral equation with another quadrature
+// rule, and by general properties.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
@@ -26,8 +26,8 @@ std::shared_ptr<const LayerKernel> bonded(double nu)
   return std::make_shared<const LayerKernel>(nu, LayerBase::Bonded);
 }
 
-/// M(s) of a bonded layer by its definition, with W - 1 written out: no exponential is factored
-/// out.
+/// M(s) of a bonded layer from its definition. W - 1 is evaluated as written, without factoring out
+/// an exponential.
 double kernelByDefinition(double s, double nu)
 {
   static const Quadrature rule(40);
@@ -52,11 +52,12 @@ const std::vector<const char*> AllShapes = { "flat:2", "paraboloid:3", "sphere:6
 struct Dense
 {
   double depth;
-  double force; ///< E* = 1
+  double force; ///< for E* = 1, N
 };
 
-/// Depth and force at contact radius a: solves the equation on 300 midpoints of [0, a] for a tool
-/// whose contact ends smoothly. Errors O(n^-2), extrapolated with 150 midpoints.
+/// Depth and force at contact radius a, for a tool whose contact ends smoothly. Solves the equation
+/// on 300 midpoints of [0, a]. The error of order n^-2 is extrapolated with the solution on 150
+/// midpoints.
 Dense denseSolution(const palpate::AxisymmetricTool& pressed, double nu, double h, double a)
 {
   const auto onMidpoints = [&](int n) -> Dense
@@ -101,7 +102,7 @@ TEST(LayerKernel, TableAgreesWithTheSolution)
     {
       const auto table = kernel.at(ratio);
       const auto exact = kernel.solve(ratio);
-      // Guaranteed in the header.
+      // The header guarantees 1e-10.
       EXPECT_LT((table.flat - exact.flat).abs().maxCoeff(), 1e-10 * exact.flat.abs().maxCoeff())
         << nu << ' ' << ratio;
       EXPECT_LT((table.resolvent - exact.resolvent).abs().maxCoeff(),
@@ -109,7 +110,7 @@ TEST(LayerKernel, TableAgreesWithTheSolution)
         << nu << ' ' << ratio;
     }
     EXPECT_EQ(kernel.at(0.0).flat.size(), LayerKernel::NodeCount);
-    EXPECT_NEAR(kernel.at(0.0).flat[7], 1.0, 1e-13); // the half-space
+    EXPECT_NEAR(kernel.at(0.0).flat[7], 1.0, 1e-13); // the solution for the half-space
     EXPECT_TRUE(std::isnan(kernel.at(-0.1).flat[0]));
     EXPECT_TRUE(std::isnan(kernel.at(10.1).flat[0]));
     EXPECT_TRUE(std::isnan(kernel.at(std::nan("")).flat[0]));
@@ -123,7 +124,7 @@ TEST(LayerKernel, KernelByDefinition)
     const LayerKernel kernel(nu, LayerBase::Bonded);
     for (const double s : { 0.0, 0.1, 0.77, 1.0, 2.5, 6.0, 13.0 })
     {
-      // Both sum about a thousand terms of order 1.
+      // Both functions add about a thousand terms of order 1.
       EXPECT_NEAR(kernel.normal(s), kernelByDefinition(s, nu), 1e-12) << nu << ' ' << s;
     }
   }
@@ -142,8 +143,8 @@ TEST(LayerContact, DenseSolution)
         const Dense dense = denseSolution(*pressed, nu, 2.0, a);
         const LayerContact contact(*pressed, bonded(nu), 2.0);
         const auto point = contact.evaluate(dense.depth, 1.0);
-        // Extrapolated midpoints have an error of O(n^-4); the logarithm of the sphere near its
-        // equator has a larger one.
+        // Extrapolated midpoints have an error of O(n^-4). The sphere has a larger error because of
+        // the logarithm near its equator.
         EXPECT_TRUE(agrees(contact.depthAtContactRadius(a), dense.depth, 2e-7));
         EXPECT_TRUE(agrees(point.contactRadius, a, 2e-7));
         EXPECT_TRUE(agrees(point.force, dense.force, 1e-6));
@@ -152,8 +153,9 @@ TEST(LayerContact, DenseSolution)
   }
 }
 
-// Tools whose reduced profile has kinks: the equation itself on the nodes of panels between the
-// kinks. The library never sets up this system. The kernel M is the library's (KernelByDefinition).
+// Tools whose reduced profile has kinks. Solves the integral equation on the nodes of panels
+// between the kinks; the library never sets up this system. The kernel M is that of the library,
+// which KernelByDefinition tests.
 TEST(LayerContact, KinkedTools)
 {
   const Quadrature rule(40);
@@ -213,8 +215,8 @@ TEST(LayerContact, KinkedTools)
       const Eigen::Map<const Eigen::VectorXd> w(weights.data(), n);
       const double force = 2.0 * w.dot(depth * y.col(0) - y.col(1));
       const auto point = contact.evaluate(depth, 1.0);
-      // Both rules resolve the pieces of g to about 1e-10; a profile with many corners has 8 nodes
-      // per piece.
+      // Both rules resolve the parts of g to about 1e-10; a profile with many corners has 8 nodes
+      // per part.
       EXPECT_TRUE(agrees(point.contactRadius, a, 1e-8));
       EXPECT_TRUE(agrees(point.force, force, 1e-9));
     }
@@ -233,7 +235,7 @@ TEST(LayerContact, StiffnessIsTheSlopeOfTheForce)
       const double slope =
         (contact.evaluate(depth + step, 2.0).force - contact.evaluate(depth - step, 2.0).force) /
         (2.0 * step);
-      // The third derivative: step²/6 · F‴/F′ ≤ 1e-8, and rounding 1e-13/1e-4.
+      // Truncation of the central difference: step²/6 · F‴/F′ ≤ 1e-8. Rounding: 1e-13/1e-4.
       EXPECT_TRUE(agrees(contact.evaluate(depth, 2.0).stiffness, slope, 2e-8)) << name << depth;
     }
   }
@@ -247,15 +249,15 @@ TEST(LayerContact, ThickLayerIsAHalfSpace)
     const LayerContact contact(*pressed, bonded(0.2), 1e6);
     const auto found = contact.evaluate(0.5, 3.0);
     const auto expected = pressed->evaluate(0.5, 3.0);
-    // The base at 1e6 mm adds (2|M0|/π) a/h ≤ 3e-6 to the stiffness.
+    // A base at 1e6 mm increases the stiffness by at most (2|M0|/π) a/h = 3e-6.
     EXPECT_TRUE(agrees(found.force, expected.force, 1e-5)) << name;
     EXPECT_GT(found.force, expected.force) << name;
     EXPECT_TRUE(agrees(found.contactRadius, expected.contactRadius, 1e-5)) << name;
   }
 }
 
-// Wide tool on a thin, compressible layer: independent columns, p = M (δ - f)/h with the oedometric
-// modulus; for a flat F = π a² M δ/h.
+// A wide tool on a thin, compressible layer presses independent columns: p = M (δ - f)/h with the
+// oedometric modulus M. For a flat end F = π a² M δ/h.
 TEST(LayerContact, ThinLayerIsAMattress)
 {
   const double nu = 0.2;
@@ -266,7 +268,7 @@ TEST(LayerContact, ThinLayerIsAMattress)
     const LayerContact contact(*flat, bonded(nu), h);
     return contact.evaluate(0.1, 1.0).force / (Pi * 100.0 * oedometric * 0.1 / h) - 1.0;
   };
-  // The rim adds an excess proportional to h/a.
+  // The effect of the rim is proportional to h/a.
   EXPECT_NEAR(edge(1.0) / edge(2.0), 0.5, 0.03);
   EXPECT_NEAR(2.0 * edge(1.0) - edge(2.0), 0.0, 0.01);
 }
@@ -274,7 +276,7 @@ TEST(LayerContact, ThinLayerIsAMattress)
 TEST(LayerContact, DeepestAndBeyond)
 {
   const auto cone = tool("cone:60");
-  const LayerContact thin(*cone, bonded(0.3), 0.5); // valid up to a = 5
+  const LayerContact thin(*cone, bonded(0.3), 0.5); // the law is valid up to a = 5
   EXPECT_GT(thin.deepest(), 0.0);
   EXPECT_TRUE(agrees(thin.contactRadius(thin.deepest()), 5.0, 1e-9));
   EXPECT_TRUE(std::isnan(thin.evaluate(1.01 * thin.deepest(), 1.0).force));
@@ -286,7 +288,7 @@ TEST(LayerContact, DeepestAndBeyond)
   EXPECT_TRUE(std::isnan(LayerContact(*flat, bonded(0.3), 0.19).evaluate(0.1, 1.0).force));
   EXPECT_EQ(LayerContact(*flat, bonded(0.3), 1.0).depthAtContactRadius(1.0), 0.0);
 
-  const auto sphere = tool("sphere:3"); // its wall: a < 3 at any depth
+  const auto sphere = tool("sphere:3"); // with its wall: a < 3 at any depth
   const LayerContact contact(*sphere, bonded(0.3), 1.0);
   EXPECT_TRUE(std::isinf(contact.deepest()));
   EXPECT_LE(contact.contactRadius(20.0), 3.0);
@@ -306,7 +308,7 @@ TEST(LayerContact, TinyDepths)
     const LayerContact contact(*pressed, bonded(0.5), 3.0);
     for (const double depth : { 1e-12, 1e-9, 1e-6 })
     {
-      // a/h falls to 1e-3 and less: the half-space, to (2|M0|/π) a/h.
+      // a/h is at most about 1e-3. The force is that of the half-space, to (2|M0|/π) a/h.
       EXPECT_TRUE(agrees(contact.evaluate(depth, 1.0).force, pressed->force(depth, 1.0), 5e-3))
         << name << depth;
     }

@@ -25,9 +25,9 @@ using palpate::testing::tool;
 
 namespace
 {
-constexpr double Modulus = 0.1; // MPa, for the value 1 in the tables
+constexpr double Modulus = 0.1; // MPa for the value 1 in the tables
 
-/// "1 10 0.45 | 5 1 0.45 slip-top": h E ν of each layer.
+/// Reads a stack from text such as "1 10 0.45 | 5 1 0.45 slip-top": h, E and ν of each layer.
 LayerStack stackOf(const std::string& layers, const std::string& base)
 {
   LayerStack stack;
@@ -43,7 +43,7 @@ LayerStack stackOf(const std::string& layers, const std::string& base)
     layer.slips = interface == "slip-top";
     stack.layers.push_back(layer);
   }
-  if (base != "rigid") // "(E, ν)"
+  if (base != "rigid") // otherwise "(E, ν)"
   {
     stack.hasHalfSpace = true;
     char sign = 0;
@@ -79,7 +79,7 @@ TEST(LayerStack, EqualLayersAreOneLayerInClosedForm)
         { 0.3, Modulus, nu, false } };
       for (const double omega : { 1e-2, 0.1, 0.5, 2.0, 7.0 })
       {
-        const double w = 2.0 * omega; // of the whole thickness
+        const double w = 2.0 * omega; // wave number times the total thickness
         const double k = 3.0 - 4.0 * nu;
         const double d = base == LayerBase::Bonded
           ? 2.0 * k * std::cosh(2.0 * w) + 4.0 * w * w + 1.0 + k * k
@@ -93,7 +93,7 @@ TEST(LayerStack, EqualLayersAreOneLayerInClosedForm)
           : ((1.0 - 2.0 * nu) * std::sinh(2.0 * w) - 2.0 * w) / (2.0 * (1.0 - nu) * d);
         const double limit = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
         const palpate::StackTransform found = stackTransform(stack, omega);
-        // Doubles: the closed forms themselves suffer from cancellation at small ω.
+        // In double precision the closed forms suffer from cancellation at small ω.
         EXPECT_NEAR(found.normal, normal - 1.0, 1e-12) << nu << " at " << omega;
         EXPECT_NEAR(found.radial, radial - limit, 1e-10) << nu << " at " << omega;
       }
@@ -121,7 +121,7 @@ TEST(LayerStack, MomentsAsTabulated)
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const std::string& name = table.text(row, "stack");
-    // M(0) = ∫ (W-1) dω. The table has ten k per octave: 1e-6.
+    // M(0) = ∫ (W-1) dω. The table has ten k per octave: an error of 1e-6.
     EXPECT_TRUE(agrees(LayerKernel(stacks.at(name)).normal(0.0), table.number(row, "M0"), 2e-5))
       << name;
   }

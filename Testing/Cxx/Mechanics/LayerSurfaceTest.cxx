@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement of the surface of a layer: against the Hankel integrals themselves, and against
-// the moments of the displacement, which follow from the transforms at small wave number.
+// The displacement of the surface of a layer: against the Hankel integrals, and against the moments
+// of the displacement, which follow from the transforms at small wave numbers.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Numerics/GaussLegendre.h"
 #include "Mechanics/Layers/LayerSurface.h"
@@ -24,7 +24,7 @@ std::shared_ptr<const LayerKernel> freshKernel(double nu, LayerBase base)
   return std::make_shared<const LayerKernel>(nu, base);
 }
 
-/// ∫_0^end f dx in panels of 48 nodes.
+/// ∫ f dx from `begin` to `end` in panels of 48 nodes.
 template <class Function>
 double integrate(double begin, double end, int panels, Function&& f)
 {
@@ -38,7 +38,7 @@ double integrate(double begin, double end, int panels, Function&& f)
   return sum;
 }
 
-/// W and V as printed (reference: Hankel transforms of the layer), for moderate ω.
+/// W and V in their printed form (reference: Hankel transforms of the layer), for moderate ω.
 double normalTransform(double w, double nu, LayerBase base)
 {
   const double k = 3.0 - 4.0 * nu;
@@ -61,7 +61,7 @@ const std::vector<Case> Cases = { { "paraboloid:4", 0.5, 0.5, LayerBase::Bonded 
 constexpr double Thickness = 2.5;
 } // namespace
 
-// Integrated over the plane the layer is compressed like a wide one: ∫u_z dA = F h/M with the
+// The integral of u_z over the plane is that of uniaxial compression: ∫u_z dA = F h/M with the
 // oedometric modulus M = E(1-ν)/((1+ν)(1-2ν)). An incompressible bonded layer keeps its volume.
 TEST(LayerSurface, DisplacedVolume)
 {
@@ -73,11 +73,11 @@ TEST(LayerSurface, DisplacedVolume)
     const LayerSurface surface(contact, given.depth);
     const double a = contact.contactRadius(given.depth);
     const auto ring = [&](double r) { return 2.0 * Pi * r * surface.at(r).normal; };
-    // Square-root behaviour outside the rim: r = a + s².
+    // Outside the rim u_z behaves as a square root, which r = a + s² makes smooth.
     const double end = std::sqrt(20.0 * Thickness);
     const double volume = integrate(0.0, a, 4, ring) +
       integrate(0.0, end, 40, [&](double s) { return 2.0 * s * ring(a + s * s); });
-    const double force = contact.evaluate(given.depth, 1.0).force; // E* = 1: E = 1-ν²
+    const double force = contact.evaluate(given.depth, 1.0).force; // E* = 1 means E = 1-ν²
     const double slope = given.base == LayerBase::Slip
       ? 0.5
       : (1.0 - 2.0 * given.nu) / (2.0 * (1.0 - given.nu) * (1.0 - given.nu)); // W'(0)
@@ -87,14 +87,14 @@ TEST(LayerSurface, DisplacedVolume)
   }
 }
 
-// û_r at small k gives ∫u_r r² dr = -(4 h²/E*) (F/2π) v, V = v ω² + …
+// The expansion of û_r for small k gives ∫u_r r² dr = -(4 h²/E*) (F/2π) v, where V = v ω² + …
 TEST(LayerSurface, RadialMoment)
 {
   for (const Case& given : Cases)
   {
     if (given.base == LayerBase::Slip)
     {
-      continue; // V = -ν/(1-ν)/2 + … there: the moment does not exist
+      continue; // V = -ν/(1-ν)/2 + …, so the moment does not exist
     }
     SCOPED_TRACE(given.tool);
     const auto pressed = tool(given.tool);
@@ -109,13 +109,13 @@ TEST(LayerSurface, RadialMoment)
     const double end = std::sqrt(20.0 * Thickness);
     const double measured = integrate(0.0, a, 8, moment) +
       integrate(0.0, end, 40, [&](double s) { return 2.0 * s * moment(a + s * s); });
-    // r² multiplies the weight of the tail beyond 20 thicknesses by 50.
+    // The factor r² increases the contribution from beyond 20 thicknesses by 50.
     EXPECT_NEAR(measured, expected, 1e-4 * std::abs(expected));
   }
 }
 
-// A flat punch: y is known at the nodes of the kernel, its transform is a cosine sum, and the
-// difference from the half-space converges like e^(-2kh).
+// A flat punch: y is known at the nodes of the kernel, and its transform is a sum of cosines. The
+// difference from the half-space converges as e^(-2kh).
 TEST(LayerSurface, HankelIntegral)
 {
   for (const double nu : { 0.0, 0.3, 0.5 })
@@ -153,7 +153,7 @@ TEST(LayerSurface, ThickLayerIsAHalfSpace)
   {
     const auto expected = sphere->surfaceDisplacement(r, 0.5, 0.3);
     const auto found = surface.at(r);
-    // The base adds a stiffness of M0 a/(π h) = 1e-5 of the depth.
+    // The base increases the stiffness by M0 a/(π h) = 1e-5.
     EXPECT_NEAR(found.normal, expected.normal, 2e-5 * 0.5) << r;
     EXPECT_NEAR(found.radial, expected.radial, 2e-5 * 0.5) << r;
   }
@@ -164,7 +164,7 @@ TEST(LayerSurface, NoContactNoDisplacement)
   const auto flat = tool("flat:30");
   const LayerContact contact(*flat, freshKernel(0.3, LayerBase::Bonded), 2.0);
   for (const double depth :
-    { 0.0, -1.0, 0.5 }) // the last one is too wide for the law, 15 thicknesses
+    { 0.0, -1.0, 0.5 }) // at 0.5 the contact radius is 15 thicknesses, too large for the law
   {
     EXPECT_EQ(LayerSurface(contact, depth).at(1.0).normal, 0.0);
     EXPECT_EQ(LayerSurface(contact, depth).at(1.0).radial, 0.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves interpolated over thickness and Poisson's ratio, against the exact layer for each.
+// Curves interpolated over thickness and Poisson's ratio, against the exact layer of each thickness
+// and ratio.
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerTable.h"
 
@@ -21,7 +22,7 @@ namespace
 {
 const std::vector<double> Depths = { 0.03, 0.5, 2.0 };
 
-/// Kernels take 20 ms to build, so each is built once.
+/// Returns a kernel from a cache, because a kernel takes 20 ms to build.
 std::shared_ptr<const LayerKernel> kernelOf(double nu, LayerBase base)
 {
   static std::map<std::pair<double, LayerBase>, std::shared_ptr<const LayerKernel>> kernels;
@@ -66,7 +67,8 @@ TEST(LayerTable, AnyThickness)
           0.1 * std::exp(std::uniform_real_distribution<double>(0.0, 7.6)(random));
         if (table.answers(thickness))
         {
-          expectExact(*pressed, table, LayerBase::Bonded, thickness, nu, 1e-7); // as guaranteed
+          // 1e-7: guaranteed error
+          expectExact(*pressed, table, LayerBase::Bonded, thickness, nu, 1e-7);
           ++answered;
         }
       }
@@ -95,7 +97,7 @@ TEST(LayerTable, SeveralPoissonsRatios)
   {
     expectExact(*pressed, distinct, LayerBase::Bonded, 4.4, nu, 1e-7);
   }
-  EXPECT_TRUE(std::isnan(distinct.sample(4.4, 0.2)(0, 0))); // this value was not in the list
+  EXPECT_TRUE(std::isnan(distinct.sample(4.4, 0.2)(0, 0))); // this ratio was not in the list
 
   std::vector<double> many;
   for (int i = 0; i <= 100; ++i)

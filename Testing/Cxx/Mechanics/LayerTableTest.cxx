@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layer on a rigid base, against the reference tables (Nyström solutions of another code, with
-// 12 digits). The spheres of the tables are paraboloids.
+// The layer on a rigid base, against the reference tables (Nyström solutions of another code,
+// printed with 12 digits). The spheres of the tables are paraboloids.
 #include "Mechanics/Layers/LayerContact.h"
 
 #include "Agreement.h"
@@ -17,7 +17,7 @@ using palpate::testing::tool;
 
 namespace
 {
-// Required by the issue of the tables; the printed digits would allow 1e-11.
+// Required accuracy; the printed digits would allow 1e-11.
 constexpr double Tolerance = 1e-7;
 
 const std::vector<std::string> FlatRatios = { "0.01", "0.02", "0.05", "0.1", "0.15", "0.2", "0.3",
@@ -26,7 +26,7 @@ const std::vector<std::string> FlatRatios = { "0.01", "0.02", "0.05", "0.1", "0.
 const std::vector<std::string> DepthRatios = { "0.01", "0.02", "0.05", "0.1", "0.15", "0.2", "0.25",
   "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.0", "1.2", "1.5", "2.0", "2.5", "3.0" };
 
-/// Force on the layer over force on the half-space.
+/// Force on the layer / force on the half-space.
 double forceRatio(const std::string& name, std::shared_ptr<const LayerKernel> kernel,
   double thickness, double depth)
 {
@@ -57,14 +57,15 @@ TEST(LayerTable, BondedFlat)
     {
       for (const std::string& ratio : FlatRatios)
       {
-        // h = 2 mm and δ = 0.3 mm must have no effect.
+        // The ratio must not depend on h = 2 mm and δ = 0.3 mm.
         const double a = 2.0 * std::stod(ratio);
         const auto flat = tool("flat:" + std::to_string(a));
         const LayerContact layer(*flat, kernel, 2.0);
         const auto point = layer.evaluate(0.3, 5.0);
         const double kappa = table.number(row, ratio);
         EXPECT_TRUE(agrees(point.stiffness, 2.0 * 5.0 * a * kappa, Tolerance)) << ratio;
-        EXPECT_TRUE(agrees(point.force, 0.3 * point.stiffness, 1e-14)) << ratio; // linear
+        // the force is linear in δ
+        EXPECT_TRUE(agrees(point.force, 0.3 * point.stiffness, 1e-14)) << ratio;
         EXPECT_EQ(point.contactRadius, a);
       }
     });
@@ -107,7 +108,7 @@ TEST(LayerTable, BondedCone)
 TEST(LayerTable, SlipFlat)
 {
   const ReferenceTable table("layer_slip_flat_kappa.csv");
-  for (const double nu : { 0.0, 0.3, 0.5 }) // no effect on a slip base
+  for (const double nu : { 0.0, 0.3, 0.5 }) // the ratio does not depend on ν on a slip base
   {
     const auto kernel = std::make_shared<const LayerKernel>(nu, LayerBase::Slip);
     for (const std::string& ratio : FlatRatios)

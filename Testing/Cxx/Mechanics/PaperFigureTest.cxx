@@ -57,7 +57,7 @@ TEST(PaperFigure, DepthOfForce)
     for (const auto& [column, name] : columns)
     {
       SCOPED_TRACE(std::string(name) + " at " + std::to_string(force));
-      // F ∝ δ^m with m <= 1.5 amplifies the rounding of the printed depth by m.
+      // F ∝ δ^m with m <= 1.5 multiplies the rounding of the printed depth by m.
       EXPECT_TRUE(agrees(tool(name)->force(table.number(i, column), Rubber), force, 1.5 * Printed));
     }
   }

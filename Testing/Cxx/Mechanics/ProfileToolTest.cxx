@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sampled tools: the same law as the shape they are sampled from, with an error of second order.
+// Sampled tools have the law of the shape from which they are sampled, with an error of second
+// order.
 #include "Mechanics/Tools/ProfileTool.h"
 
 #include "Agreement.h"
@@ -53,13 +54,14 @@ TEST(ProfileTool, ErrorFallsWithTheSquareOfTheSpacing)
     {
       const double error = errorOf(*shape, segments, each.outer, each.depth);
       // Twice the segments give a quarter of the error. Terms of higher order, and a contact that
-      // ends within a segment, change the factor 2²: 3.6 to 4.5 were observed.
+      // ends within a segment, change this factor of 4: 3.6 to 4.5 were observed.
       EXPECT_GT(previous / error, 3.2) << each.name << " " << segments;
       EXPECT_LT(previous / error, 5.0) << each.name << " " << segments;
       previous = error;
     }
   }
-  // The reference sheet has 1.5e-5 with 128 segments; here to 4 mm, with the contact to 2.5.
+  // The reference sheet states 1.5e-5 for 128 segments. Here the profile ends at 4 mm and the
+  // contact at 2.5 mm.
   EXPECT_LT(errorOf(*tool("paraboloid:6.35"), 128, 4.0, 1.0), 3e-5);
 }
 
@@ -69,7 +71,8 @@ TEST(ProfileTool, StraightShapesAreExact)
   {
     const auto shape = tool(name);
     const bool flat = std::isfinite(shape->largestContactRadius());
-    const ProfileTool profile(sampled(*shape, flat ? 1.6 : 4.0, 4)); // a point at r = 1
+    // 4 segments put a point at r = 1
+    const ProfileTool profile(sampled(*shape, flat ? 1.6 : 4.0, 4));
     for (const double depth : { 1e-6, 0.1, 0.7 })
     {
       EXPECT_TRUE(agrees(profile.contactRadius(depth), shape->contactRadius(depth), 1e-14));
@@ -98,7 +101,8 @@ TEST(ProfileTool, ExponentOfTheShapeSampled)
 TEST(ProfileTool, RadiiItReports)
 {
   const auto t =
-    tool("profile:0,0;1,0;2,1;3,2;4,4"); // the corner at 3 counts; at (2, 1) there is none
+    // the corner at r = 3 counts; (2, 1) lies on a straight line
+    tool("profile:0,0;1,0;2,1;3,2;4,4");
   EXPECT_EQ(t->kinks(), (std::vector<double>{ 1.0, 3.0 }));
   EXPECT_EQ(t->smallestContactRadius(), 1.0);
   EXPECT_EQ(t->largestContactRadius(), 4.0);
@@ -136,7 +140,7 @@ TEST(ProfileTool, WrongPointsAreNamed)
   names(fault({ { 0.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 2.0 } }), "at r = 2");
   names(fault({ { 0.0, 0.0 }, { 1.0, NAN } }), "point 1 (r = 1, f = nan) must be finite");
   names(fault({ { 0.0, 0.0 }, { Infinity, 1.0 } }), "must be finite");
-  // A ring below the tip: no depth is valid, and the message states that.
+  // A ring below the tip: no depth is valid, and the message states this.
   names(fault({ { 0.0, 0.0 }, { 0.5, -0.0625 }, { 1.0, 0.5 } }), "r = 0.5");
   names(fault({ { 0.0, 0.0 }, { 0.5, -0.0625 }, { 1.0, 0.5 } }), "no δ > 0");
   EXPECT_EQ(fault({ { 0.0, 0.0 }, { 1.0, 0.0 } }), "");
@@ -183,7 +187,7 @@ TEST_F(ProfileFileTest, ReadsHeaderCommentsAndBlankLines)
   // Semicolons may also separate columns.
   ASSERT_TRUE(palpate::parseTool("profile:" + this->write("0;0\n1;0.25\n2;1\n"), read, error))
     << error;
-  // The written text does not refer to the file.
+  // The specification lists the points and does not refer to the file.
   EXPECT_EQ(palpate::makeTool(read)->specification(), "profile:0,0;1,0.25;2,1");
 }
 
@@ -204,7 +208,8 @@ TEST_F(ProfileFileTest, WhatIsWrongIsNamedWithItsLine)
   std::string error;
   EXPECT_FALSE(palpate::parseTool("profile:/nowhere/tip.csv", kept, error));
   EXPECT_NE(error.find("/nowhere/tip.csv: cannot be opened"), std::string::npos) << error;
-  EXPECT_FALSE(palpate::parseTool("profile:" + ::testing::TempDir(), kept, error)); // a folder
+  // the path is a folder
+  EXPECT_FALSE(palpate::parseTool("profile:" + ::testing::TempDir(), kept, error));
 }
 
 TEST(ProfileSpecification, RoundTripToTheBit)

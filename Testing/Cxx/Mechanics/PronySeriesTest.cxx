@@ -24,8 +24,8 @@ TEST(PronySeries, RelaxesFromTheInstantaneousToTheSlowModulus)
   EXPECT_DOUBLE_EQ(series.total(), 0.8);
 }
 
-// M(1; m+1; -x) in its closed forms: (1-e^-x)/x for m = 1, 2(e^-x - 1 + x)/x² for m = 2, and by
-// quadrature over ramps for m = 1.5. The two branches of the sum meet at x = 50.
+// M(1; m+1; -x) against its closed forms, (1-e^-x)/x for m = 1 and 2(e^-x - 1 + x)/x² for m = 2,
+// and against quadrature over ramps for m = 1.5. The sum changes its formula at x = 50.
 TEST(PronySeries, RampsAsLeeAndRadokHaveThem)
 {
   for (const double x : { 1e-6, 0.1, 1.0, 7.0, 49.9, 50.1, 300.0, 1e6 })
@@ -38,7 +38,7 @@ TEST(PronySeries, RampsAsLeeAndRadokHaveThem)
       EXPECT_NEAR(
         palpate::rampFactor(series, 2.0, x), 1.0 + 2.0 * (std::exp(-x) - 1.0 + x) / (x * x), 1e-12);
     }
-    // m ∫ e^(-x(1-v)) v^(m-1) dv with v = w², by Simpson's rule: 1e-12 at x <= 50.
+    // m ∫ e^(-x(1-v)) v^(m-1) dv with v = w², by Simpson's rule: an error of 1e-12 at x <= 50.
     constexpr int steps = 20000;
     double sum = 0.0;
     for (int i = 0; i <= steps && x < 60.0; ++i)

@@ -33,8 +33,8 @@ std::string numbersOf(const std::string& text)
   }
 }
 
-/// "cone 60deg" → "cone:60". Empty for the one shape that the library does not have: a cone blunted
-/// by a paraboloid.
+/// Converts "cone 60deg" to "cone:60". Returns an empty text for the one shape that the library
+/// does not have, a cone blunted by a paraboloid.
 std::string commandLineName(const std::string& name)
 {
   const std::map<std::string, std::string> shapes = { { "flat", "flat" },
@@ -53,7 +53,7 @@ struct Row
   std::size_t index;
 };
 
-/// Calls check(row) for every row, and requires all of them to be present.
+/// Calls check(row) for every row, and requires that no row is missing.
 template <class Check>
 void forEachRow(const ReferenceTable& table, Check&& check)
 {
@@ -72,7 +72,7 @@ void forEachRow(const ReferenceTable& table, Check&& check)
   EXPECT_EQ(checked, 52); // all except the 4 rows of the cone blunted by a paraboloid
 }
 
-// The table has 14 digits; its own quadratures agree with closed forms to 3e-11.
+// The table has 14 digits. Its quadratures agree with closed forms to 3e-11.
 constexpr double ClosedFormTolerance = 1e-10;
 } // namespace
 
@@ -92,9 +92,9 @@ TEST(PunchTable, ContactRadiusForceAndStiffness)
 
 TEST(PunchTable, PressureHalfWayToTheRim)
 {
-  // Under a flat with an edge the table's quadrature of g' is inaccurate: an error of 5e-3 for the
-  // truncated cone at 0.05 mm. These values are (E*/π) ∫_0^q g'(x)/√(x²-r²) (t/x) dt, x² = b² + t²,
-  // to 30 digits (mpmath).
+  // For a flat end with an edge the table's quadrature of g' is inaccurate: an error of 5e-3 for
+  // the truncated cone at 0.05 mm. The values here are (E*/π) ∫_0^q g'(x)/√(x²-r²) (t/x) dt, x² =
+  // b² + t², to 30 digits (mpmath).
   const std::map<std::string, std::vector<double>> behindAnEdge = {
     { "trunc_cone b=1 60deg",
       { 0.06337659244143363, 0.2520995147578876, 0.6207490547514357, 1.352614322238627 } },
@@ -140,7 +140,7 @@ TEST(PunchTable, RadialDisplacementAndLoadInside)
       const double r = 0.5 * row.a;
       const double radial = row.tool->surfaceDisplacement(r, row.depth, nu).radial;
       EXPECT_TRUE(agrees(radial, table.number(row.index, "ur(a/2)_mm_nu0.3"), ClosedFormTolerance));
-      // u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r, solved for the load inside r.
+      // u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r, solved for the load F(r) inside r.
       const double load = -radial * 2.0 * Pi * (1.0 - nu) * Rubber * r / (1.0 - 2.0 * nu);
       EXPECT_TRUE(agrees(load, table.number(row.index, "Fin(a/2)_N"), ClosedFormTolerance));
     });

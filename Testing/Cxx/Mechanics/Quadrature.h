@@ -52,7 +52,7 @@ public:
     return 0.5 * (b - a) * sum;
   }
 
-  /// Calls visit(node, weight) of the rule on [0, 1].
+  /// Calls visit(node, weight) for each node of the rule on [0, 1].
   template <class Visit>
   void forEachNode(Visit&& visit) const
   {

@@ -15,7 +15,7 @@ TEST(ReducedModulus, Values)
 {
   EXPECT_EQ(reducedModulus(2.0, 0.0), 2.0);
   EXPECT_EQ(reducedModulus(3.0, 0.5), 4.0); // 3/(1 - 1/4)
-  // One division: a few roundings. 0.91/(1 - 0.09) = 1.
+  // 0.91/(1 - 0.09) = 1, to a few roundings.
   EXPECT_TRUE(agrees(reducedModulus(0.91, 0.3), 1.0, 4e-16));
 }
 

@@ -20,7 +20,7 @@ using palpate::testing::tool;
 
 namespace
 {
-/// A tool of the table (its spheres are paraboloids) with its size (radius, or tan α) scaled.
+/// A tool of the table (its spheres are paraboloids) with its size (radius or tan α) scaled.
 std::unique_ptr<palpate::AxisymmetricTool> sizedTool(const std::string& name, double scale)
 {
   const std::string shape = name.substr(0, name.find_first_of("0123456789"));
@@ -84,7 +84,7 @@ TEST(SeriesCompliance, SolvesItsEquationForAnySoftBody)
       const double depth = std::pow(10.0, exponent(random));
       const auto point = seriesResponse(*t, Rubber, compliance, depth);
       ASSERT_TRUE(point.stable) << name << ", C = " << compliance << ", depth " << depth;
-      // δ = δ_local + C F with F = F(δ_local), whose rounding is 2e-14 for the sphere near a/R =
+      // δ = δ_local + C F with F = F(δ_local). The rounding of F is 2e-14 for the sphere near a/R =
       // 0.1.
       EXPECT_TRUE(agrees(point.localDeflection + compliance * point.force, depth, 5e-14));
       EXPECT_EQ(point.force, t->force(point.localDeflection, Rubber));
@@ -119,7 +119,7 @@ TEST(SeriesCompliance, Edges)
 
 namespace
 {
-/// F = k √x: softer with the depth, so that tangents overshoot.
+/// F = k √x: the stiffness falls with the depth, so that Newton steps overshoot.
 class SofteningLaw final : public palpate::IndentationLaw
 {
 public:
@@ -133,7 +133,7 @@ public:
 
 TEST(SeriesCompliance, ALawThatSoftensIsSolvedWhereTangentsOvershoot)
 {
-  // x + c √x = δ, in the root of x: without cancellation 2δ / (c + √(c² + 4δ)).
+  // x + c √x = δ is solved for √x without cancellation: √x = 2δ / (c + √(c² + 4δ)).
   for (const double c : { 1e-3, 0.3, 2.0, 50.0, 1e4 })
   {
     for (const double depth : { 1e-6, 0.02, 1.0, 30.0 })
@@ -142,7 +142,7 @@ TEST(SeriesCompliance, ALawThatSoftensIsSolvedWhereTangentsOvershoot)
       const auto point = seriesResponse(SofteningLaw(), 1.0, c, depth);
       ASSERT_TRUE(point.stable);
       const double root = 2.0 * depth / (c + std::sqrt(c * c + 4.0 * depth));
-      EXPECT_TRUE(agrees(point.force, root, 1e-12)); // rounding, a hundred steps at most
+      EXPECT_TRUE(agrees(point.force, root, 1e-12)); // rounding; at most a hundred steps
     }
   }
 }

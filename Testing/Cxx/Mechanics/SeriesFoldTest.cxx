@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A negative compliance (a near rigid base) folds the curve where 1 + C dF/dδ_local = 0. With k =
-// |C| E* the laws of the reference sheet give the fold at
+// A negative compliance (a rigid base near the surface) folds the curve where 1 + C dF/dδ_local =
+// 0. With k = |C| E* and the laws of the reference sheet, the fold is at
 //   paraboloid  x = 1/(4k²R),         δ = x/3
 //   cone        x = π/(4k tan α),     δ = x/2
 //   flat        at every depth if 2ak >= 1, else nowhere.
@@ -32,20 +32,21 @@ double bisect(double fold, double depth, Law&& total)
   return static_cast<double>(low);
 }
 
-/// Just below the fold there must be a solution everywhere, just above it none.
+/// Requires a solution at depths up to the fold, and none beyond the fold.
 template <class Law>
 void compare(
   const palpate::AxisymmetricTool& t, double compliance, double fold, double foldDepth, Law&& total)
 {
   for (int i = 1; i <= 2000; ++i)
   {
-    // Share of the fold's depth: evenly spaced, then approaching it.
+    // Depth relative to that of the fold: evenly spaced, then approaching the fold.
     const double share = i <= 1000 ? i / 1001.0 : 1.0 - std::pow(10.0, -3.0 - (i - 1000) / 200.0);
     const double depth = share * foldDepth;
     const auto point = seriesResponse(t, Rubber, compliance, depth);
     ASSERT_TRUE(point.stable) << share;
     const double x = bisect(fold, depth, total);
-    // Near the fold δ depends on x only to second order: the rounding of δ grows by 1/√(1-share).
+    // Near the fold δ depends on x only to second order, so the rounding of δ is multiplied by
+    // 1/√(1-share).
     EXPECT_TRUE(agrees(point.localDeflection, x, 1e-14 / std::sqrt(1.0 - share))) << share;
     EXPECT_GT(point.stiffness, t.stiffness(depth, Rubber));
   }
@@ -90,7 +91,7 @@ TEST(SeriesFold, Flat)
   {
     const auto point = seriesResponse(*flat, Rubber, 0.9 * critical, depth);
     ASSERT_TRUE(point.stable);
-    // F = 2aE*δ/(1 - 0.9), one division by a small difference.
+    // F = 2aE*δ/(1 - 0.9): one division by a small difference.
     EXPECT_TRUE(agrees(point.force, 10.0 * flat->force(depth, Rubber), 1e-14));
     EXPECT_FALSE(seriesResponse(*flat, Rubber, 1.001 * critical, depth).stable);
   }

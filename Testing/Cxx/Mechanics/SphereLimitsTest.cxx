@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact sphere between its limits: Hertz's paraboloid at a << R, a wall at a → R.
+// The exact sphere in its limits: Hertz's paraboloid for a << R, a cylinder with a wall for a → R.
 #include "Mechanics/Tools/ParaboloidTool.h"
 #include "Mechanics/Tools/SphereTool.h"
 
@@ -17,8 +17,8 @@ TEST(SphereLimits, IsHertzsParaboloidAtSmallDepth)
   for (const double x : { 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-14 })
   {
     const double ratio = sphere.force(x * R, 1.0) / paraboloid.force(x * R, 1.0);
-    // a/R = √x (1 - x/6 + …) inserted in the closed form: F/F_Hertz = 1 - x/10 + O(x²), with a
-    // coefficient of x² below 1; 1e-15 for rounding.
+    // a/R = √x (1 - x/6 + …), inserted in the closed form, gives F/F_Hertz = 1 - x/10 + O(x²). The
+    // coefficient of x² is below 1; rounding adds 1e-15.
     EXPECT_NEAR(ratio, 1.0 - 0.1 * x, x * x + 1e-15) << x;
     const double radii = sphere.contactRadius(x * R) / paraboloid.contactRadius(x * R);
     EXPECT_NEAR(radii, 1.0 - x / 6.0, x * x + 1e-15) << x;
@@ -27,8 +27,9 @@ TEST(SphereLimits, IsHertzsParaboloidAtSmallDepth)
 
 TEST(SphereLimits, ForceIsSmoothWhereTheSeriesTakesOver)
 {
-  // The library switches formulas at a/R = 0.1. On both sides it is compared with the closed form
-  // in long double: (t²+1) artanh t - t loses 400 of its 1e-19, 2e-15 with the root search.
+  // The library changes its formula at a/R = 0.1. On both sides it is compared with the closed form
+  // in long double. There (t²+1) artanh t - t multiplies the rounding of 1e-19 by 400; with the
+  // root search the error is 2e-15.
   const double R = 2.0;
   const SphereTool sphere(R);
   for (const double t : { 0.05, 0.09, 0.0999999, 0.1000001, 0.11, 0.3 })
@@ -37,8 +38,8 @@ TEST(SphereLimits, ForceIsSmoothWhereTheSeriesTakesOver)
     const auto depth = static_cast<double>(R * w * t);
     const auto expected =
       static_cast<double>(R * R * ((1.0L + t * static_cast<long double>(t)) * w - t));
-    // The closed form in double above t = 0.1 loses up to t/(4/3 t³) = 75 roundings, times a small
-    // factor.
+    // Above t = 0.1 the closed form in double multiplies the rounding by up to t/(4/3 t³) = 75,
+    // times a small factor.
     EXPECT_TRUE(agrees(sphere.force(depth, 1.0), expected, 5e-14)) << t;
     EXPECT_TRUE(agrees(sphere.contactRadius(depth), R * t, 1e-15)) << t;
   }
@@ -65,7 +66,7 @@ TEST(SphereLimits, AbsurdDepthsActLikeAFlatEndedPunch)
   for (const double depths : { 20.0, 1e3, 1e9, 1e100 })
   {
     const double depth = depths * R;
-    // 1 - a/R = 2 exp(-2δ/R) is below rounding: a = R, and F = E*(2Rδ - R²).
+    // 1 - a/R = 2 exp(-2δ/R) is below rounding, so a = R and F = E*(2Rδ - R²).
     EXPECT_LE(sphere.contactRadius(depth), R);
     EXPECT_TRUE(agrees(sphere.contactRadius(depth), R, 1e-15));
     EXPECT_TRUE(agrees(sphere.force(depth, 1.0), 2.0 * R * depth - R * R, 1e-14)) << depths;
@@ -80,8 +81,8 @@ TEST(SphereLimits, PressureVanishesAtTheRim)
     const double depth = 0.005 * i;
     const double a = sphere.contactRadius(depth);
     const double mean = sphere.force(depth, 1.0) / (3.14159265358979 * a * a);
-    // p ∝ √(1-r²/a²) near the rim: 0 at the rim, 1e-5 of the mean next to it (times 2.2 and more as
-    // a → R).
+    // Near the rim p ∝ √(1-r²/a²): zero at the rim, and 1e-5 of the mean pressure next to it (times
+    // 2.2 and more as a → R).
     EXPECT_NEAR(sphere.pressure(a, depth, 1.0), 0.0, 1e-6 * mean) << depth;
     EXPECT_NEAR(sphere.pressure(a * (1.0 - 1e-10), depth, 1.0), 0.0, 1e-4 * mean) << depth;
   }

@@ -20,7 +20,7 @@ using testing::tool;
 
 const std::vector<double> Depths = { 0.05, 0.2, 0.5 };
 
-/// The contact with a kernel made for exactly this stack: brute force, compared with the table.
+/// The contact with a kernel made for exactly this stack, as reference for the table.
 std::unique_ptr<LayerContact> direct(
   const AxisymmetricTool& shape, LayerStack stack, double first, double second)
 {
@@ -67,7 +67,7 @@ LayerStack skinOverFat(double ratio, double nu)
 }
 } // namespace
 
-// The requirement for maps of thickness is 1e-3.
+// An error below 1e-3 is required for maps of thickness.
 TEST(StackTable, AgreesWithKernelsOfTheirOwn)
 {
   EXPECT_LT(worstOf("sphere:3", skinOverFat(5.0, 0.45), { 0.3, 3.0 }, { 1.5, 15.0 }), 1e-3);
@@ -76,7 +76,7 @@ TEST(StackTable, AgreesWithKernelsOfTheirOwn)
 
 TEST(StackTable, IsDirectWhereNothingVaries)
 {
-  // One node: no interpolation, only ln and exp.
+  // One node: no interpolation, only the rounding of ln and exp.
   EXPECT_LT(worstOf("sphere:3", skinOverFat(10.0, 0.48), { 1.0, 1.0 }, { 4.0, 4.0 }), 1e-12);
 }
 
@@ -92,7 +92,7 @@ TEST(StackTable, OfEqualLayersIsOneLayer)
   const auto curve = table.sample({ 1.4, 3.6, 0.0 });
   for (std::size_t i = 0; i < Depths.size(); ++i)
   {
-    // The table's own interpolation over spans of 2 and 1.33.
+    // Error of the table's interpolation over thickness ratios of 2 and 1.33.
     EXPECT_NEAR(
       curve(static_cast<Eigen::Index>(i), 0) / one.evaluate(Depths[i], 1.0).force, 1.0, 1e-5);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The number of threads of loops: the value from the environment, and a limit in the thread that
-// set it. The test also runs with PALPATE_THREADS=3.
+// The number of threads of loops: the value from the environment, and a limit that is valid in the
+// thread that set it. The test also runs with PALPATE_THREADS=3.
 #include "Mechanics/SharedWork.h"
 #include "Mechanics/ThreadCount.h"
 

@@ -29,8 +29,9 @@ std::shared_ptr<const LayerKernel> bonded()
   return kernel;
 }
 
-/// Compares tables on the layers of the reference with its forces. The tolerance is the expected
-/// error of the profile plus that of the table and of the upright force on the reference's grid.
+/// Compares tables for the layers of the reference with the forces of the reference. The tolerance
+/// is the sum of the expected error of the equivalent profile, the error of the table and that of
+/// the upright force on the reference's grid.
 void compare(const std::string& name, double range, double largest, double tableError)
 {
   const auto shape = tool(tiltedToolOf(name));
@@ -72,16 +73,16 @@ void compare(const std::string& name, double range, double largest, double table
     const double error = force / reference.number(row, "F_over_Estar") - 1.0;
     EXPECT_LE(std::abs(error), expected + tableError)
       << name << ' ' << body->thickness << ' ' << angle / Degree << ' ' << depth;
-    EXPECT_LE(expected, 1.05 * made.error); // which was evaluated at the nodes only
+    EXPECT_LE(expected, 1.05 * made.error); // made.error was evaluated at the nodes only
     worst = std::max(worst, std::abs(error) - tableError > 0.0 ? expected / std::abs(error) : 0.0);
     ++rows;
   }
   EXPECT_GE(rows, 9);
-  EXPECT_LT(worst, 4.0); // the estimate is not too large; it is an envelope of tools and depths
+  EXPECT_LT(worst, 4.0); // the estimate is an envelope over tools and depths, but not too large
 }
 } // namespace
 
-// 0.5 % from the table, 0.1 % from the grid.
+// The table has an error of 0.5 %, the grid of the reference 0.1 %.
 TEST(TiltLayer, AConesForceIsOffByNoMoreThanIsSaid)
 {
   compare("cone60", 1.0, 25.0 * Degree, 6e-3);
@@ -92,7 +93,8 @@ TEST(TiltLayer, ABluntedConesForceIsOffByNoMoreThanIsSaid)
   compare("blunt45", 1.0, 25.0 * Degree, 6e-3);
 }
 
-// The wall of a flat is in contact, too: 1.7 % up to 30°; 0.35 % from the grid.
+// The wall of a flat end is also in contact: an error of 1.7 % up to 30°. The grid of the reference
+// adds 0.35 %.
 TEST(TiltLayer, AFlatsForceIsOffByNoMoreThanIsSaid)
 {
   compare("flat", 0.5, 25.0 * Degree, 2.1e-2);
@@ -100,12 +102,12 @@ TEST(TiltLayer, AFlatsForceIsOffByNoMoreThanIsSaid)
 
 TEST(TiltLayer, NoErrorIsExpectedWhereTheProfileIsExact)
 {
-  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.5 }), 0.03); // on a half-space the error of the table
+  EXPECT_EQ(tiltError({ 0.0, 2.0, 3.5 }), 0.03); // error of the table for a half-space
   EXPECT_EQ(tiltError({ 0.0, 1.0, 1.5 }), 0.02);
   EXPECT_EQ(tiltError({ 0.0, 1.0, 0.5 }), 0.006);
   EXPECT_EQ(tiltError({ 0.0, 1.2, 0.0 }), 0.005);
   EXPECT_EQ(tiltError({ 1.0, 1.0, 0.0 }), 0.0);
-  // The sheet of Data/Reference/tilt, a cone of 60° tilted by 10°: 0.1, 0.9, 2.4 %.
+  // Errors in Data/Reference/tilt for a cone of 60° tilted by 10°: 0.1, 0.9 and 2.4 %.
   EXPECT_GE(tiltError({ 0.25, 1.159, 0.0 }), 0.001);
   EXPECT_GE(tiltError({ 0.5, 1.213, 0.0 }), 0.009);
   EXPECT_GE(tiltError({ 1.0, 1.247, 0.0 }), 0.024);
@@ -114,8 +116,8 @@ TEST(TiltLayer, NoErrorIsExpectedWhereTheProfileIsExact)
 
 TEST(TiltLayer, AThickLayerIsAHalfSpace)
 {
-  // C_g of a layer is M0/(πE*h): a/h = 1e-4 gives 2e-4 of the force, and half of that in the
-  // factor.
+  // C_g of a layer is M0/(πE*h): a/h = 1e-4 changes the force by 2e-4 and the factor by half of
+  // this.
   const auto cone = tool("cone:60");
   const TiltBody thick{ 1e4, bonded(), 0.0 };
   const MadeTilt made = makeTiltTable(*cone, 1.0, 20.0 * Degree, { TiltBody(), thick });
@@ -129,7 +131,7 @@ TEST(TiltLayer, AThickLayerIsAHalfSpace)
 
 TEST(TiltLayer, InSeriesTheLocalForceIsTheSame)
 {
-  // F(D) in series is the local force at D - C F, for any tilt.
+  // With a compliance in series F(D) is the local force at D - C F, for any tilt.
   const auto cone = tool("cone:60");
   const TiltBody soft{ 0.0, nullptr, 0.5 };
   const MadeTilt made = makeTiltTable(*cone, 2.0, 20.0 * Degree, { TiltBody(), soft });
@@ -146,7 +148,7 @@ TEST(TiltLayer, InSeriesTheLocalForceIsTheSame)
     ASSERT_GT(local, 0.0);
     const TiltFactor alone = made.table.at(local, angle, first);
     const TiltWork below = pressedInto(*cone, {}, local);
-    // Tables of 9 depths: 3e-3, and a little more through the slope in series.
+    // Tables of 9 depths have an error of 3e-3; the slope in the series adds to it.
     EXPECT_TRUE(agrees(force, below.force * alone.value + below.work * alone.byDepth, 5e-3))
       << depth;
   }
@@ -171,7 +173,7 @@ TEST(TiltLayer, TheWorkIsTheIntegralOfTheForce)
     const double slope = (pressedInto(*truncated, body, depth + step).work -
                            pressedInto(*truncated, body, depth - step).work) /
       (2.0 * step);
-    // The square of the step over that of the depth.
+    // Relative error of the difference: square of step / depth.
     EXPECT_TRUE(agrees(slope, pressedInto(*truncated, body, depth).force, 1e-5));
   }
 }

@@ -20,7 +20,7 @@ namespace palpate::testing
 {
 namespace
 {
-/// Compares a table with the other solver's forces and torques, at angles between the nodes.
+/// Compares a table with the forces and torques of the other solver, at angles between the nodes.
 void compare(const std::string& name, double range, double largest, double leastDepth,
   double forceTolerance, double torqueTolerance)
 {
@@ -41,7 +41,7 @@ void compare(const std::string& name, double range, double largest, double least
     const FeltTilt felt = feltBy(made.table, *shape, {}, depth, angle);
     const double force = table.number(row, "F_over_Estar");
     EXPECT_TRUE(agrees(felt.force, force, forceTolerance)) << name << ' ' << depth << ' ' << angle;
-    // Near upright the torque is the small remainder of F times the arm.
+    // At small tilts the torque is a small difference of terms of the size F times offset.
     const double torque = table.number(row, "Mtip_work");
     const double left = 0.005 * force * made.table.deepest(angle).offset;
     EXPECT_NEAR(felt.torque, torque, std::max(left, torqueTolerance * torque))
@@ -49,7 +49,7 @@ void compare(const std::string& name, double range, double largest, double least
     ++rows;
   }
   EXPECT_GE(rows, 5);
-  // Upright there is no torque: to 1e-3 of F a.
+  // At a tilt near zero the torque vanishes, to 1e-3 of F a.
   const double small = 1e-5;
   const FeltTilt felt = feltBy(made.table, *shape, {}, 0.6 * range, small);
   EXPECT_LT(std::abs(felt.torque), 1e-3 * felt.force * shape->contactRadius(0.6 * range));
@@ -68,7 +68,7 @@ TEST(TiltNodes, ASphereIsFeltAsUpright)
       const FeltTilt felt = feltBy(made.table, *sphere, {}, depth, angle);
       const double force = sphere->force(depth, 1.0);
       EXPECT_TRUE(agrees(felt.force, force, 1e-12));
-      // h from 65 nodes: (width)⁴/384, its slope (width)³/125.
+      // h is interpolated from 65 nodes: its error is (width)⁴/384, that of its slope (width)³/125.
       EXPECT_NEAR(made.table.deepest(angle).drop, 3.0 * (1.0 - std::cos(angle)), 1e-8);
       EXPECT_TRUE(agrees(felt.torque, force * 3.0 * std::sin(angle), 4e-5));
     }
@@ -87,7 +87,8 @@ TEST(TiltNodes, AFlatEndHasItsLaw)
     {
       const FeltTilt felt = feltBy(made.table, *flat, {}, depth, angle);
       const double q = depth / rim;
-      // Equivalent profile and nodes: 1e-5 of the upright force. For full contact exact.
+      // Error of the equivalent profile and the nodes: 1e-5 of the upright force. In full contact
+      // the law is exact.
       EXPECT_NEAR(
         felt.force, 2.0 * 1.5 * rim * tiltedFlatForce(q).value, 1e-5 * flat->force(depth, 1.0))
         << depth << ' ' << angle;
@@ -101,19 +102,21 @@ TEST(TiltNodes, AFlatEndHasItsLaw)
   }
 }
 
-// Cones 0.5 %. Their torque, a derivative over an angle at which the tables are steep, 1 %.
+// The force of cones has an error of 0.5 %. Their torque is a derivative over the angle, where the
+// tables are steep: 1 %.
 TEST(TiltNodes, AConeIsThatOfBoundaryElements)
 {
   compare("cone60", 1.0, 25.0 * Degree, 0.0, 5e-3, 1e-2);
 }
 
-// Blunted cones 0.5 %.
+// The force of blunted cones has an error of 0.5 %.
 TEST(TiltNodes, ABluntedConeIsThatOfBoundaryElements)
 {
   compare("blunt45", 1.0, 28.0 * Degree, 0.0, 5e-3, 1e-2);
 }
 
-// Flat ends of other tools: 1 % of the force from 0.2 on, 3 % of the torque.
+// Other tools with a flat end: an error of 1 % of the force from a depth of 0.2 on, 3 % of the
+// torque.
 TEST(TiltNodes, ATruncatedConeIsThatOfBoundaryElements)
 {
   compare("trunc45", 1.0, 28.0 * Degree, 0.2, 1e-2, 3e-2);
@@ -121,8 +124,8 @@ TEST(TiltNodes, ATruncatedConeIsThatOfBoundaryElements)
 
 TEST(TiltNodes, ASampledProfileIsThatOfBoundaryElements)
 {
-  // Its facets are in full contact one after the other, between 4 and 25 degrees; each time it acts
-  // nearly like a cone in full contact. Between these tilts 1 %.
+  // The facets of the profile reach full contact one after the other, between 4° and 25°. At these
+  // tilts the tool acts nearly as a cone in full contact. Between these tilts the error is 1 %.
   const auto shape = tool("profile:0,0;0.3,0.0225;0.6,0.09;1,0.26;1.5,0.65;2,1.4");
   const MadeTilt made = makeTiltTable(*shape, 0.5, 20.0 * Degree, { TiltBody() });
   ASSERT_EQ(made.fault, "");
@@ -149,8 +152,8 @@ TEST(TiltNodes, DerivativesAreThoseOfTheFactor)
     for (const double angle : { 0.011, 0.17, 0.6 })
     {
       const TiltFactor at = made.table.at(depth, angle, weights);
-      // Central differences: the square of their step over the cell of a cubic, 1e-6 of the
-      // largest.
+      // Error of central differences of a cubic: the square of step / cell, 1e-6 of the largest
+      // value.
       const double step = 1e-4 * depth;
       const TiltFactor less = made.table.at(depth - step, angle, weights);
       const TiltFactor more = made.table.at(depth + step, angle, weights);
@@ -190,7 +193,7 @@ TEST(TiltNodes, SaysWhatCannotBe)
   EXPECT_NE(faultOf(1.0, 0.2, {}).find("but is 0"), std::string::npos);
   EXPECT_NE(faultOf(1.0, 0.2, std::vector<TiltBody>(TiltTerms::MostLaws + 1)).find("but is 17"),
     std::string::npos);
-  // A ring next to the tip comes into contact from some depth on.
+  // A ring next to the tip comes into contact at larger depths.
   const auto ring = tool("profile:0,0;1,1;2,0.05;3,3");
   const std::string fault = makeTiltTable(*ring, 2.0, 0.2, { TiltBody() }).fault;
   EXPECT_NE(fault.find("touches the body again"), std::string::npos) << fault;

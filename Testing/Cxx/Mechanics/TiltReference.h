@@ -13,7 +13,7 @@ namespace palpate::testing
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-/// The tools of Data/Reference/tilt in command-line form.
+/// Command-line form of a tool's name in Data/Reference/tilt.
 inline const std::string& tiltedToolOf(const std::string& name)
 {
   static const std::map<std::string, std::string> tools = { { "cone45", "cone:45" },
@@ -24,7 +24,8 @@ inline const std::string& tiltedToolOf(const std::string& name)
   return tools.at(name);
 }
 
-/// Force and torque of a table on one body, E* = 1: F = F_0 τ + W_0 ∂τ/∂D, M = F dh/dθ + W_0 ∂τ/∂θ.
+/// Force and torque from a table for one body with E* = 1: F = F_0 τ + W_0 ∂τ/∂D, M = F dh/dθ + W_0
+/// ∂τ/∂θ.
 struct FeltTilt
 {
   double force;

@@ -21,9 +21,9 @@ namespace palpate::testing
 {
 TEST(TiltedContact, AgreesWithClosedFormsUpright)
 {
-  // 64 pixels over a smooth contact, whose edge becomes a staircase: 1.5e-4 of the force, the
-  // square of a pixel over the contact; twice that for the work, as an energy bound. At a sharp rim
-  // a part of a pixel over its radius, 6e-3.
+  // 64 pixels over a smooth contact, whose edge becomes a staircase, have an error of 1.5e-4 of the
+  // force, the square of pixel / contact diameter. The work has twice this error, as an energy
+  // bound. At a sharp rim the error is a part of pixel / radius, 6e-3.
   struct Case
   {
     const char* tool;
@@ -51,8 +51,8 @@ TEST(TiltedContact, ASphereFeelsNoTilt)
 
 TEST(TiltedContact, AgreesWithAnotherSolver)
 {
-  // Every 19th row. Both grids: 1e-4 for smooth contacts, 2e-3 at edges, 1.8 % at flat rims with
-  // little contact.
+  // Compares every 19th row. Errors of both grids together: 1e-4 for smooth contacts, 2e-3 at
+  // edges, 1.8 % at flat rims with small contacts.
   const ReferenceTable table("tilt/tilt_bem.csv");
   int rows = 0;
   for (std::size_t row = 0; row < table.size(); row += 19)
@@ -80,7 +80,7 @@ TEST(TiltedContact, AFlatEndHasOneLaw)
   {
     const double q = table.number(row, "q=D/(a theta)");
     const double f = tiltedFlatForce(q).value;
-    // The table's own error: 0.2 % from q = 0.5 on, 1 % at 0.01.
+    // Error of the table: 0.2 % from q = 0.5 on, 1 % at 0.01.
     EXPECT_TRUE(agrees(f, table.number(row, "f=F/(2a^2 E* theta)"), q < 0.1 ? 3e-3 : 2e-3)) << q;
     const double m = 1.5 * (q * q * tiltedFlatWork(3.0 / q).value - q * f + f);
     EXPECT_TRUE(agrees(m, table.number(row, "m=M/((4/3)E* a^3 theta)"), q < 0.1 ? 3e-3 : 2.5e-3))
@@ -99,7 +99,7 @@ TEST(TiltedContact, TheFlatEndsLawIsSmooth)
     const TiltedFlatTerm before = tiltedFlatWork(s - step);
     const TiltedFlatTerm after = tiltedFlatWork(s + step);
     const TiltedFlatTerm at = tiltedFlatWork(s);
-    // Central differences: step² and rounding over step.
+    // Error of central differences: step², plus rounding / step.
     EXPECT_NEAR((after.value - before.value) / (2.0 * step), at.slope, 1e-8) << s;
     EXPECT_NEAR((after.slope - before.slope) / (2.0 * step), at.bend, 1e-8) << s;
     const double q = 3.0 / s;
@@ -109,8 +109,8 @@ TEST(TiltedContact, TheFlatEndsLawIsSmooth)
     EXPECT_NEAR((tiltedFlatForce(q + step).slope - tiltedFlatForce(q - step).slope) / (2.0 * step),
       force.bend, 1e-6);
   }
-  // Value, slope and bend are continuous at the onset of full contact, except for rounding of a
-  // polynomial with terms of 100.
+  // Value, slope and bend are continuous at the onset of full contact, up to the rounding of a
+  // polynomial with terms of the size 100.
   const TiltedFlatTerm rim = tiltedFlatForce(std::nextafter(3.0, 0.0));
   EXPECT_NEAR(rim.value, 2.0, 1e-11);
   EXPECT_NEAR(rim.slope, 1.0, 1e-11);
@@ -129,7 +129,8 @@ TEST(TiltedContact, TheDeepestPointIsWhereTheProfileSays)
       {
         continue;
       }
-      double deepest = 0.0; // by brute force; at a corner to 0.2 times the spacing of 1e-4
+      // by a search on a grid of 1e-4 mm; at a corner the error is up to 0.2 times this
+      double deepest = 0.0;
       for (int i = 0; i <= 40000; ++i)
       {
         const double r = std::min(4.0, shape->largestContactRadius()) * i / 40000;
@@ -138,7 +139,7 @@ TEST(TiltedContact, TheDeepestPointIsWhereTheProfileSays)
       }
       const DeepestPoint point = deepestPoint(*shape, angle);
       EXPECT_NEAR(point.drop, deepest, 2e-5) << text << ' ' << angle;
-      const double step = 1e-6; // offset = dh/dθ
+      const double step = 1e-6; // the offset is dh/dθ
       EXPECT_NEAR(
         (deepestPoint(*shape, angle + step).drop - deepestPoint(*shape, angle - step).drop) /
           (2.0 * step),
@@ -167,7 +168,7 @@ TEST(TiltedContact, AFlankEndsTheTilts)
 
 TEST(TiltedContact, AToolMadeFromItsContactRadiiIsThatTool)
 {
-  // The paraboloid a² = RD from samples of a(D): the rest follows from g by closed forms.
+  // The paraboloid a² = RD from samples of a(D). The other results follow from g by closed forms.
   std::vector<TiltedTool::Sample> samples;
   for (const double depth : { 0.01, 0.1, 0.5, 1.0 })
   {

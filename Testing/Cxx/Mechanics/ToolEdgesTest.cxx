@@ -88,16 +88,16 @@ TEST_P(ToolEdges, OnTheAxis)
 
 TEST_P(ToolEdges, TinyDepthsKeepTheirPower)
 {
-  // F(δ)/F(δ/4) = 4^m; there the exact sphere is a paraboloid to δ/10R = 1e-13. The exponent of a
-  // profile is that of its middle; its first segment is a cone or a flat.
+  // F(δ)/F(δ/4) = 4^m. At these depths the exact sphere is a paraboloid to δ/10R = 1e-13.
+  // forceExponent of a profile describes its middle; its first segment is a cone or a flat end.
   const std::string name = this->GetParam();
   const bool profile = name.substr(0, 7) == "profile";
   const double exponent = !profile              ? this->Tool->forceExponent()
     : this->Tool->smallestContactRadius() > 0.0 ? 1.0
                                                 : 2.0;
   const double power = std::pow(4.0, exponent);
-  // The edge of a rounded flat widens the contact by (3δR_e/b²)^(2/3)/2 = 6e-9 at 1e-12 mm, and
-  // raises the force by a fifth of that.
+  // The fillet of a rounded flat end widens the contact by (3δR_e/b²)^(2/3)/2 = 6e-9 at 1e-12 mm
+  // and raises the force by a fifth of this.
   const double widening = name.substr(0, 7) == "rounded" ? 2e-9 : 0.0;
   for (const double depth : { 1e-12, 1e-60, 1e-120 })
   {
@@ -122,7 +122,7 @@ TEST(ToolSingularities, InfinitePressure)
   EXPECT_EQ(cone->pressure(cone->contactRadius(0.5), 0.5, 3.0), 0.0);
   EXPECT_EQ(tool("truncated:1,60")->pressure(1.0, 0.5, 3.0), Infinity);
   EXPECT_EQ(tool("power:1,0.5")->pressure(0.0, 0.5, 3.0), Infinity);
-  // A profile with its apex, a convex edge, a concave one and the wall.
+  // A profile with an apex, a convex edge, a concave edge and the wall.
   const auto profile = tool("profile:0,0;1,0.5;2,2;3,3.45");
   EXPECT_EQ(profile->pressure(0.0, 6.0, 3.0), Infinity);
   EXPECT_EQ(profile->pressure(1.0, 6.0, 3.0), Infinity);
@@ -134,7 +134,7 @@ TEST(ToolSingularities, WallsOfTheProfile)
 {
   EXPECT_EQ(tool("flat:1.6")->profile(1.6), 0.0);
   EXPECT_EQ(tool("flat:1.6")->profile(1.6000001), Infinity);
-  EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1.6), 1.6, 1e-15)); // R·R/R
+  EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1.6), 1.6, 1e-15)); // computed as R·R/R
   EXPECT_EQ(tool("sphere:1.6")->profile(1.6000001), Infinity);
   // R - √(R²-r²) = r²/2R at the tip, to (r/R)²/4.
   EXPECT_TRUE(agrees(tool("sphere:1.6")->profile(1e-9), 1e-18 / 3.2, 1e-15));
@@ -146,11 +146,12 @@ TEST(ToolSingularities, WallsOfTheProfile)
 
 TEST(ToolDepths, AtStrain)
 {
-  // Flat: δ/a. Paraboloid: a/R = √(δ/R). Sphere: δ = a artanh(a/R). One product each.
+  // Flat end: δ/a. Paraboloid: a/R = √(δ/R). Sphere: δ = a artanh(a/R).
   EXPECT_TRUE(agrees(tool("flat:1.6")->depthAtStrain(0.4), 0.64, 1e-15));
   EXPECT_TRUE(agrees(tool("paraboloid:2")->depthAtStrain(0.4), 0.32, 1e-15));
   EXPECT_TRUE(agrees(tool("sphere:2")->depthAtStrain(0.4), 0.8 * std::atanh(0.4), 1e-15));
-  // For a cone it is the same at every depth, δ/a = π/2 cot α: reached at once or never.
+  // A cone has the same strain at every depth, δ/a = π/2 cot α. Smaller strains are reached at
+  // depth 0, larger ones never.
   EXPECT_EQ(tool("cone:60")->depthAtStrain(0.4), 0.0);
   EXPECT_EQ(tool("cone:80")->depthAtStrain(0.4), Infinity);
   EXPECT_EQ(tool("sphere:2")->depthAtStrain(1.0), Infinity);
@@ -158,7 +159,7 @@ TEST(ToolDepths, AtStrain)
 
 TEST(ToolDepths, AtStrainOfTheOtherShapes)
 {
-  // The strain by the definition of the measure: a/R of the tip, or δ/a.
+  // The strain by its definition: a/R of the tip, or δ/a.
   for (const char* name : { "blunted:2,60", "truncated:1,80", "rounded:1.2,0.4", "power:1.5,0.1",
          "power:4,0.01", "profile:0,0;1,0.1;2,0.5;3,3", "profile:0,0;1,0;2,0.5" })
   {
@@ -170,10 +171,10 @@ TEST(ToolDepths, AtStrainOfTheOtherShapes)
   }
   EXPECT_EQ(tool("power:1,0.5")->depthAtStrain(0.4), 0.0); // δ/a = π/4 at every depth
   EXPECT_EQ(tool("power:1,0.1")->depthAtStrain(0.4), Infinity);
-  // δ/a < (π/2) cot 80° = 0.277 for the whole cone.
+  // The whole cone has δ/a = (π/2) cot 80° = 0.277, which is an upper bound.
   EXPECT_EQ(tool("truncated:1,80")->depthAtStrain(0.4), Infinity);
   EXPECT_EQ(tool("profile:0,0;1,0.5;2,2")->depthAtStrain(0.4), 0.0);
-  // Beyond its points a profile is a flat punch, with its δ/a.
+  // Beyond its last point a profile acts as a flat punch, with the strain δ/a.
   EXPECT_TRUE(agrees(tool("profile:0,0;2,0.1")->depthAtStrain(0.4), 0.8, 1e-15));
 }
 
@@ -196,7 +197,8 @@ TEST(ToolDepths, AtContactRadius)
     const auto t = tool(name);
     for (const double depth : { 1e-6, 0.1, 1.0 })
     {
-      // Near a flat a is rounded, and with it g, by 1e-16 (b/(a-b)): visible at 1e-6 of depth.
+      // Near a flat end the rounding of `a` changes g by 1e-16 (b/(a-b)), which is visible at
+      // depths of 1e-6 mm.
       const double tolerance = t->smallestContactRadius() > 0.0 && depth < 0.1 ? 1e-3 : 2e-14;
       EXPECT_TRUE(agrees(t->depthAtContactRadius(t->contactRadius(depth)), depth, tolerance))
         << name;

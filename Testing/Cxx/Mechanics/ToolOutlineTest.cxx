@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outline of a tool against its profile, and its distance against a search along it.
+// The outline of a tool against its profile, and the distance from the outline against a search
+// along it.
 #include "Mechanics/FiniteStrain/ToolOutline.h"
 
 #include "Agreement.h"
@@ -37,8 +38,8 @@ TEST(ToolOutline, FollowsTheProfileBesideItsFillets)
     {
       const bool isAtFillet = std::any_of(outline.fillets().begin(), outline.fillets().end(),
         [r](const auto& range) { return r > range.first - 1e-9 && r < range.second + 1e-9; });
-      // Biarcs through 24 points of the profile. Next to the apex of a power law the curvature is
-      // unbounded.
+      // Error of biarcs through 24 points of the profile. Next to the apex of a power law the
+      // curvature is unbounded.
       if (!isAtFillet)
       {
         EXPECT_NEAR(outline.height(r), given->profile(r), 2e-5) << name << " at " << r;
@@ -58,13 +59,14 @@ TEST(ToolOutline, DistanceIsTheShortestWayAndItsGradientPointsAlongIt)
     {
       const Vector2d point(anywhere(random), outline.height(0.0) - 0.3 * anywhere(random));
       const ToolOutline::Distance found = outline.distance(point);
-      double least = HUGE_VAL; // below the tool: search along its heights
+      // smallest distance of a point below the tool, by a search along the outline
+      double least = HUGE_VAL;
       for (double r = 0.0; r < 2.5; r += 1e-3)
       {
         const double z = outline.height(r);
         least = std::isfinite(z) ? std::min(least, (Vector2d(r, z) - point).norm()) : least;
       }
-      // The nearest sampled height is up to half a step from the foot, on a slope below 7.
+      // The nearest sampled point is up to half a step away from the foot, on a slope below 7.
       EXPECT_LE(found.value, least + 1e-9) << name << " at " << point.transpose();
       EXPECT_GE(found.value, least - 1e-5 / std::max(found.value, 1e-3))
         << name << " at " << point.transpose();
@@ -78,7 +80,8 @@ TEST(ToolOutline, DistanceIsTheShortestWayAndItsGradientPointsAlongIt)
         const Vector2d bend =
           (outline.distance(point + by).gradient - outline.distance(point - by).gradient) /
           (2.0 * step);
-        // Curvature jumps where the foot moves from one arc to the next; these points are skipped.
+        // The curvature jumps where the foot moves from one arc to the next. These points are
+        // skipped.
         if ((bend - found.hessian.col(c)).norm() > 1e-4)
         {
           const Vector2d half = (outline.distance(point + by).gradient - found.gradient) / step;
@@ -93,8 +96,8 @@ TEST(ToolOutline, DistanceIsTheShortestWayAndItsGradientPointsAlongIt)
 TEST(ToolOutline, AnApexIsASphereThatTouchesTheFlank)
 {
   const ToolOutline outline(*tool("cone:60"), Reach, Fillet);
-  // A sphere of radius ρ in a cone of half angle α: its lowest point is ρ(1/sin α - 1) above the
-  // apex.
+  // A sphere of radius ρ in a cone of half angle α: the lowest point of the sphere is ρ(1/sin α -
+  // 1) above the apex.
   EXPECT_NEAR(outline.height(0.0), Fillet * (1.0 / std::sin(Pi / 3.0) - 1.0), 1e-9);
   ASSERT_EQ(outline.fillets().size(), 1U);
   EXPECT_NEAR(outline.fillets()[0].second, Fillet * std::cos(Pi / 3.0), 1e-9);
@@ -112,6 +115,6 @@ TEST(ToolOutline, ARimIsAQuarterOfACircle)
     const Vector2d centre(1.0 - Fillet, Fillet);
     EXPECT_NEAR(outline.distance(centre + 0.3 * out).value, 0.3 - Fillet, 1e-9);
   }
-  EXPECT_NEAR(outline.distance({ 1.2, 0.5 }).value, 0.2, 1e-9); // from the wall
+  EXPECT_NEAR(outline.distance({ 1.2, 0.5 }).value, 0.2, 1e-9); // distance from the wall
   EXPECT_LT(outline.distance({ 0.5, 0.02 }).value, 0.0);
 }

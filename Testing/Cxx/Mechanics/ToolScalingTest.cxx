@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool that is s times as large: by dimensions F(δ; s) = s² F(δ/s), a(δ; s) = s a(δ/s).
+// A tool scaled by s: dimensional analysis gives F(δ; s) = s² F(δ/s) and a(δ; s) = s a(δ/s).
 #include "Agreement.h"
 #include "Quadrature.h"
 #include "TestTools.h"
@@ -22,7 +22,7 @@ TEST(ToolScaling, LengthsGrowByTheFactor)
       ASSERT_NE(scaled, nullptr) << name;
       for (const double depth : { 0.01, 0.3, 1.0 })
       {
-        // Near an edge the contact radius of a rounded flat loses a few more digits.
+        // Near an edge the contact radius of a rounded flat end has a larger rounding error.
         EXPECT_TRUE(agrees(
           scaled->force(factor * depth, 2.0), factor * factor * original->force(depth, 2.0), 1e-13))
           << name;

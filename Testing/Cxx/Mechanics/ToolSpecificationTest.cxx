@@ -30,7 +30,7 @@ std::string errorOf(const std::string& text)
   specification.Profile = { { 0.0, 0.0 } };
   std::string error;
   EXPECT_FALSE(parseTool(text, specification, error)) << text;
-  // No part of it is read.
+  // A rejected text leaves the specification unchanged.
   EXPECT_EQ(specification.Shape, ToolShape::Flat);
   EXPECT_EQ(specification.Radius, 7.0);
   EXPECT_EQ(specification.HalfAngle, 60.0);
@@ -83,7 +83,7 @@ TEST(ToolSpecification, RoundTripToTheBit)
   std::mt19937_64 random(20);
   const auto anyNumber = [&random]
   {
-    // Any bit pattern, over all magnitudes, including denormal numbers.
+    // Any bit pattern: all magnitudes, including denormal numbers.
     const std::uint64_t bits = random() & 0x7fffffffffffffffU;
     double value = 0.0;
     std::memcpy(&value, &bits, sizeof value);
@@ -184,7 +184,7 @@ TEST(ToolSpecification, ParametersOutOfRangeAreNamed)
   expectNamed("power:101,1", "but is 101");
   expectNamed("power:nan,1", "but is nan");
   expectNamed("power:2,0", "coefficient of a power law");
-  // With the whole text, so that the error identifies the tool in a list.
+  // The error contains the whole text, so that it identifies the tool in a list.
   expectNamed("cone:95", "tool 'cone:95'");
 }
 
@@ -204,5 +204,6 @@ TEST(ToolSpecification, MakesNothingOfWhatItRefuses)
       }
     }
   }
-  EXPECT_EQ(palpate::makeTool(shaped(ToolShape::Profile)), nullptr); // no points yet
+  // the profile has no points yet
+  EXPECT_EQ(palpate::makeTool(shaped(ToolShape::Profile)), nullptr);
 }

@@ -38,7 +38,7 @@ std::string lines(std::size_t count)
   return text;
 }
 
-/// A file with content, with no other file next to it.
+/// A test with a file that has content, and with no other file next to it.
 class WholeFileTest : public ::testing::Test
 {
 protected:
@@ -85,7 +85,7 @@ TEST_F(WholeFileTest, AFullDiskIsToldAndTheOldOneStands)
   {
     WholeFile file(this->path());
     ASSERT_EQ(file.open(), "");
-    file.write(lines(50)); // these still fit
+    file.write(lines(50)); // these lines still fit
     file.write(lines(1000));
     file.write("and then for nothing");
     EXPECT_EQ(file.finish(), "cannot write '" + this->path() + "': " + FileTooLarge);
@@ -96,7 +96,7 @@ TEST_F(WholeFileTest, AFullDiskIsToldAndTheOldOneStands)
 
 TEST_F(WholeFileTest, WholeLinesCanBeKept)
 {
-  const FileSizeLimit full(1005); // 91 lines of 11 bytes, and a part of one
+  const FileSizeLimit full(1005); // 91 lines of 11 bytes, and a part of the next
   {
     WholeFile file(this->path());
     ASSERT_EQ(file.open(), "");
@@ -160,7 +160,7 @@ TEST_F(WholeFileTest, WhatIsInTheWayIsToldBeforeAnythingIsTouched)
     const std::string error = file.open();
     EXPECT_THAT(error, HasSubstr("cannot write '" + path + "': "));
     EXPECT_THAT(error, HasSubstr(reason));
-    if (path != "/proc/nothing") // its folder claims to be writable
+    if (path != "/proc/nothing") // the folder /proc appears to be writable
     {
       EXPECT_EQ(WholeFile::obstacle(path), error);
     }

@@ -9,8 +9,8 @@
 
 namespace palpate::testing
 {
-/// A filter that is aborted when its progress exceeds a fraction gives an empty output without an
-/// error. Afterwards it runs to its end.
+/// Checks a filter that is aborted when its progress exceeds a fraction: its output is empty,
+/// without an error. Run again, the filter completes.
 template <class Filter>
 void checkAborted(Filter* filter, double progress)
 {

@@ -10,7 +10,7 @@
 
 namespace palpate::testing
 {
-/// A box of triangles on z = 0, its middle on the z axis; lengths in mm.
+/// A box of triangles that stands on z = 0 with its middle on the z axis; sides in mm.
 inline vtkSmartPointer<vtkPolyData> boxOnGround(double x, double y, double z)
 {
   vtkNew<vtkCubeSource> source;

@@ -16,13 +16,13 @@
 #include <iostream>
 #include <string>
 
-/// Counts a failure and continues; the test returns palpate::testing::result().
+/// Counts a failure and continues. The test returns palpate::testing::result().
 #define PALPATE_CHECK(condition)                                                                   \
   palpate::testing::check((condition), #condition, std::string(), __FILE__, __LINE__)
-/// |actual - expected| <= tolerance; never true for NaN.
+/// Requires |actual - expected| <= tolerance; never true for NaN.
 #define PALPATE_CHECK_NEAR(actual, expected, tolerance)                                            \
   palpate::testing::checkNear((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
-/// The text must contain every one of the given words.
+/// Requires that the text contains every one of the given words.
 #define PALPATE_CHECK_TEXT(text, ...)                                                              \
   palpate::testing::checkText((text), { __VA_ARGS__ }, __FILE__, __LINE__)
 
@@ -42,7 +42,7 @@ inline int result()
 inline void check(
   bool good, const char* condition, const std::string& remark, const char* file, int line)
 {
-  if (!good && ++failures() <= 20) // the first failures are enough
+  if (!good && ++failures() <= 20) // prints the first 20 failures only
   {
     std::cerr << file << ":" << line << ": failed: " << condition << remark << std::endl;
   }
@@ -73,7 +73,7 @@ inline void checkText(
   }
 }
 
-/// Captures the messages of an object during its lifetime, and the executive's own error message.
+/// Captures the messages of an object and the executive's own error message during its lifetime.
 class Messages
 {
 public:
@@ -88,7 +88,7 @@ public:
 
   std::string errors() const { return this->Own->GetErrorMessage(); }
   std::string warnings() const { return this->Own->GetWarningMessage(); }
-  /// True if no object has reported anything.
+  /// True if there was no error and no warning.
   bool none() const
   {
     return !this->Own->GetError() && !this->Own->GetWarning() && !this->Executive->GetError();
@@ -118,7 +118,7 @@ private:
   Observer Executive = Observer::New();
 };
 
-/// During its lifetime a filter is aborted once its progress exceeds a fraction.
+/// During the lifetime of this object a filter is aborted once its progress exceeds a fraction.
 class AbortAfter
 {
 public:
@@ -148,8 +148,8 @@ private:
   unsigned long Tag;
 };
 
-/// Runs `work` with this number of threads. The Sequential default of some VTK builds would test
-/// nothing.
+/// Runs `work` with this number of threads. With the Sequential back end, the default of some VTK
+/// builds, the number of threads would have no effect.
 template <class Work>
 void withThreads(int threads, const Work& work)
 {

@@ -5,7 +5,7 @@
 namespace palpate::testing
 {
 /// During its lifetime the machine reports `count` cores. VTK never uses more threads than cores,
-/// and a test of eight threads must have eight on a machine with two cores.
+/// so a test of eight threads needs eight cores also on a machine with two.
 class ManyCores
 {
 public:

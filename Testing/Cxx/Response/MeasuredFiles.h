@@ -17,7 +17,7 @@
 
 namespace palpate::testing
 {
-/// An invented site: its position, and F(δ) from first contact on.
+/// A made-up site: its position, and F(δ) from first contact on.
 struct MadeSite
 {
   std::string name;
@@ -25,7 +25,7 @@ struct MadeSite
   std::function<double(double)> law;
 };
 
-/// Hertz's paraboloid of radius R.
+/// F(δ) of Hertz's paraboloid of radius R.
 inline std::function<double(double)> hertz(double R, double modulus)
 {
   return [=](double d) { return 4.0 / 3.0 * modulus * std::sqrt(R) * std::pow(d, 1.5); };
@@ -67,7 +67,7 @@ inline MeasuredFilter measure(vtkPolyData* body, const std::string& file, const 
   return filter;
 }
 
-/// A number from the table of sites; NaN if there is no such column.
+/// Returns a number from the table of sites, or NaN if there is no such column.
 inline double siteNumber(vtkMeasuredContactResponse* filter, vtkIdType row, const char* column)
 {
   auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));

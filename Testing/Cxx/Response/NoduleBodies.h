@@ -26,7 +26,7 @@ inline Grid withNodule(
   return nodule->GetOutput();
 }
 
-/// Its detectability with a tool.
+/// The detectability of its nodule with a tool.
 inline Detectability felt(vtkUnstructuredGrid* grid, const std::string& tool, double deflection)
 {
   auto filter = Detectability::New();

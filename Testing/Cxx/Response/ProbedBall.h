@@ -14,7 +14,8 @@ namespace palpate::testing
 {
 constexpr double BallRadius = 20.0;
 
-/// Tips below the surface of the ball, up to a depth of 2.5 for a range of 2, and some outside.
+/// Tips in a cube around the ball: some outside, some below the surface, up to a depth of 2.5 mm.
+/// The range of the response is 2 mm.
 inline Body tipsInBall(int count)
 {
   std::mt19937 random(7);
@@ -38,7 +39,7 @@ inline Body tipsInBall(int count)
   return tips;
 }
 
-/// The probe's arrays on these tips.
+/// The arrays that the probe gives for these tips.
 inline vtkSmartPointer<vtkPointData> probe(
   vtkPolyData* body, vtkPolyData* tips, int form = 1, int threads = 1)
 {
@@ -57,8 +58,8 @@ inline double modulusAt(vtkIdType point)
   return 0.1 + 0.07 * static_cast<double>(point % 13);
 }
 
-/// A ball of 162 points with the response of a tool. The moduli are modulusAt, or `modulus`
-/// everywhere.
+/// A ball of 162 points with the response of a tool. The modulus is modulusAt(), or `modulus`
+/// everywhere if it is not 0.
 inline Body heterogeneousBall(const char* tool, double modulus = 0.0)
 {
   Body body = sphereBody(BallRadius, 2);

@@ -14,7 +14,7 @@ namespace palpate::testing
 {
 constexpr double Poisson = 0.3;
 
-/// Tips in the form of the probe's output, contact by contact.
+/// A contact for makeTips(), which gives tips in the form of the probe's output.
 struct GivenContact
 {
   vtkIdType cell;

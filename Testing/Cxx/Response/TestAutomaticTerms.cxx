@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A law with only the terms that change the forces; it reports which terms these are.
+// A law that contains only the terms that change the forces, and the reported reason for each term.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -15,7 +15,7 @@ using namespace palpate::testing;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
-/// A filter whose law has only the terms that the forces need.
+/// A filter with AutomaticTerms.
 Filter leastOf(vtkPolyData* body, const char* tool, double range)
 {
   Filter filter = filterOf(body, tool, range);
@@ -29,7 +29,7 @@ std::string fieldText(vtkPolyData* body, const char* name)
   return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : "";
 }
 
-/// The largest relative difference of the forces of two filters at the last sample.
+/// Largest relative difference of the forces of two filters at the last sample.
 double differenceOf(vtkToolContactResponse* one, vtkToolContactResponse* other)
 {
   vtkDataArray* first = one->GetOutput()->GetPointData()->GetArray("ResponseForce");
@@ -44,9 +44,9 @@ double differenceOf(vtkToolContactResponse* one, vtkToolContactResponse* other)
   return largest;
 }
 
-/// A flat half-space pressed by a hundredth of the radius. c - 1 is below 0.5 % at nu = 0.45
-/// (another code finds 0.3 % at ten times that depth, Data/Reference/deep), so every bit is that of
-/// small strain.
+/// A flat half-space, pressed by a hundredth of the tool's radius. c - 1 is below 0.5 % at nu =
+/// 0.45 (another code finds 0.3 % at ten times this depth, Data/Reference/deep), so the result is
+/// bit for bit that of small strain.
 void checkLess()
 {
   const Body body = planeBody(40.0, 4);
@@ -66,7 +66,8 @@ void checkLess()
   PALPATE_CHECK(fieldText(chosen->GetOutput(), "ResponseTerms") == chosen->GetTermReason());
 }
 
-/// At nu = 0.3 and half the radius c is 1.07: Neo-Hooke is used by default if a table has the tool.
+/// At nu = 0.3 and a depth of half the radius c is 1.07. Neo-Hooke is used by default if the tool
+/// has a table.
 void checkMore()
 {
   const Body body = planeBody(40.0, 4);
@@ -88,7 +89,8 @@ void checkMore()
 }
 
 /// A term is kept if its removal would raise the stated error, even if it hardly changes the force.
-/// At nu = 0.49 the law of a cone has a small error, but small strain does not predict that.
+/// At nu = 0.49 the finite strain changes the force of a cone little, but the estimate for small
+/// strain is large.
 void checkErrorStays()
 {
   const Body body = planeBody(40.0, 4);
@@ -102,11 +104,11 @@ void checkErrorStays()
     vtkDataArray* error = filter->GetOutput()->GetPointData()->GetArray("ResponseError");
     return error->GetComponent(12, error->GetNumberOfComponents() - 1);
   };
-  PALPATE_CHECK(errorOf(true) <= errorOf(false) + 0.01); // TermTolerance
+  PALPATE_CHECK(errorOf(true) <= errorOf(false) + 0.01); // TermTolerance is 0.01
 }
 
-/// Layers of equal material are one layer. A layer of ten contact radii is a half-space to about a
-/// per cent. Stiff skin is kept.
+/// Layers of the same material act as one layer. A layer that is much thicker than the contact
+/// radius acts as a half-space. A stiff skin remains a layer.
 void checkLayers()
 {
   const Body body = planeBody(40.0, 4);
@@ -132,7 +134,7 @@ void checkLayers()
   PALPATE_CHECK_TEXT(fieldText(skin->GetOutput(), "ResponseModel"), "stack of 2 layers");
 }
 
-/// The chosen stored form contains the terms of the law.
+/// The reason of the chosen stored form names the terms of the law.
 void checkForm()
 {
   const Filter filter = leastOf(sphereBody(20.0, 2), "sphere:5", 1.0);
@@ -140,7 +142,7 @@ void checkForm()
   vtkNew<vtkResponseChoice> choice;
   choice->SetInputConnection(filter->GetOutputPort());
   choice->Update();
-  // sqrt(1 + R/R_b) - 1: Hertz on a ball.
+  // Hertz on a ball: sqrt(1 + R/R_b) - 1 = 12 %.
   PALPATE_CHECK_TEXT(choice->GetReason(), "curvature is in the law", "12 %");
 }
 

@@ -27,8 +27,8 @@ namespace palpate::testing
 {
 using Body = vtkSmartPointer<vtkPolyData>;
 
-/// An icosahedron whose faces are split into four `level` times, with its points at `radius` (mm,
-/// exact in double) around the origin. No normals.
+/// An icosahedron whose faces are split into four `level` times. Its points are at the distance
+/// `radius` (mm, exact in double) from the origin. It has no normals.
 inline Body sphereBody(double radius, int level)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
@@ -59,8 +59,8 @@ inline Body sphereBody(double radius, int level)
   return body;
 }
 
-/// The lower half of such a sphere, wound inward: a bowl that is pressed from above. It has only
-/// the points of its triangles.
+/// The lower half of such a sphere, with inward winding: a bowl that is pressed from above. It has
+/// only the points that its triangles use.
 inline Body hollowBody(double radius, int level)
 {
   const Body ball = sphereBody(radius, level);
@@ -97,7 +97,7 @@ inline Body hollowBody(double radius, int level)
   return body;
 }
 
-/// Moves the points to multiples of 2^-16 mm, which the kernel's float coordinates represent
+/// Rounds the points to multiples of 2^-16 mm, which the kernel's float coordinates represent
 /// exactly on bodies of less than 128 mm. For references that use the body's own coordinates.
 inline void snapPoints(vtkPolyData* body)
 {
@@ -114,7 +114,8 @@ inline void snapPoints(vtkPolyData* body)
   }
 }
 
-/// Exact normals of a sphere around the origin, as the active point normals, with length `length`.
+/// Sets exact normals of a sphere around the origin as the active point normals, with the given
+/// length.
 inline void addRadialNormals(vtkPolyData* body, double length = 1.0)
 {
   vtkNew<vtkFloatArray> normals;
@@ -131,8 +132,8 @@ inline void addRadialNormals(vtkPolyData* body, double length = 1.0)
   body->GetPointData()->SetNormals(normals);
 }
 
-/// A square in the plane z = `height` from -half to half, with cells² pairs of triangles, facing
-/// +z.
+/// A square in the plane z = `height` from -half to half along x and y, with cells² pairs of
+/// triangles. Its normal is +z.
 inline Body planeBody(double half, int cells, double height = 0.0)
 {
   vtkNew<vtkPoints> points;
@@ -158,8 +159,8 @@ inline Body planeBody(double half, int cells, double height = 0.0)
   return body;
 }
 
-/// A box around the origin. Each face has cells² pairs of triangles. Faces share points only at
-/// their edges. Wound outward.
+/// A box around the origin with outward winding. Each face has cells² pairs of triangles. Faces
+/// have common points only at their edges.
 inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
 {
   vtkNew<vtkPoints> points;
@@ -183,7 +184,7 @@ inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
   {
     for (const bool upper : { false, true })
     {
-      // (u, v) rotate counter-clockwise as seen from outside.
+      // The axes u and v are counter-clockwise as seen from outside.
       const std::size_t u = (axis + (upper ? 1 : 2)) % 3;
       const std::size_t v = (axis + (upper ? 2 : 1)) % 3;
       const auto corner = [&](int i, int j)
@@ -210,12 +211,12 @@ inline Body boxBody(double halfX, double halfY, double halfZ, int cells)
   return body;
 }
 
-/// Tools with F ∝ δ^exponent, and the radius of their contacts in closed form.
+/// Tools with F ∝ δ^exponent whose contact radius has a closed form.
 struct SinkingTool
 {
   const char* tool;
   double exponent;
-  double radius; ///< at 1 mm, mm
+  double radius; ///< contact radius at a depth of 1 mm, mm
 };
 inline const std::array<SinkingTool, 3> SinkingTools = { { { "flat:1.6", 1.0, 1.6 },
   { "paraboloid:5", 1.5, std::sqrt(5.0) },
@@ -228,7 +229,8 @@ inline vtkSmartPointer<vtkContactTool> makeTool(const std::string& specification
   return tool;
 }
 
-/// A filter for a tool pressed to `range` (mm) into 0.1 MPa, Poisson's ratio 0.45.
+/// A filter for a tool that is pressed `range` mm into a material of 0.1 MPa with Poisson's ratio
+/// 0.45.
 inline vtkSmartPointer<vtkToolContactResponse> filterOf(
   vtkPolyData* body, const char* tool, double range)
 {
@@ -241,14 +243,15 @@ inline vtkSmartPointer<vtkToolContactResponse> filterOf(
   return filter;
 }
 
-/// Selects the textbook law, with validity by its first violated assumption.
+/// Selects the law without corrections, with validity up to its first violated assumption.
 inline void makePlain(vtkToolContactResponse* filter)
 {
   filter->CurvatureCorrectionOff();
   filter->SetErrorTolerance(0.0);
 }
 
-/// The body with the plain response of a tool; E* = 3.45 MPa at ν = 0, as in the reference tables.
+/// The body with the uncorrected response of a tool; E* = 3.45 MPa at ν = 0, as in the reference
+/// tables.
 inline Body withResponse(vtkPolyData* body, const std::string& tool, double range = 2.0)
 {
   vtkNew<vtkToolContactResponse> filter;
@@ -264,7 +267,7 @@ inline Body withResponse(vtkPolyData* body, const std::string& tool, double rang
   return copy;
 }
 
-/// Tips inside and outside: points in a cube of size `reach` around the origin.
+/// Random tips inside and outside a body, in a cube of size `reach` around the origin.
 inline Body tipsInCube(int count, double reach, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -273,7 +276,7 @@ inline Body tipsInCube(int count, double reach, unsigned seed)
   points->SetDataTypeToDouble();
   for (int i = 0; i < count; ++i)
   {
-    const double x = coordinate(random); // the order of evaluation of arguments is unspecified
+    const double x = coordinate(random); // first, since arguments may be evaluated in any order
     const double y = coordinate(random);
     points->InsertNextPoint(x, y, coordinate(random));
   }
@@ -282,7 +285,7 @@ inline Body tipsInCube(int count, double reach, unsigned seed)
   return tips;
 }
 
-/// One number per point, as a function of its index.
+/// An array with one number per point, a function of the point's index.
 template <class Array = vtkDoubleArray, class Function>
 vtkSmartPointer<Array> pointArray(vtkPolyData* body, const char* name, const Function& value)
 {

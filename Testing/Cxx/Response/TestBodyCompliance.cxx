@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBodyCompliance and WholeBody of vtkToolContactResponse: a block on its base against the exact
-// layer, the side that holds a body, the cache, the bending of a rod, surfaces that cross
+// layer, the side at which a body is held, the cache, the bending of a rod, surfaces that cross
 // themselves, errors.
 #include "BoxOnGround.h"
 #include "FilterChecks.h"
@@ -36,16 +36,16 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Height = 12.0; // mm, of the block
+constexpr double Height = 12.0; // height of the block, mm
 constexpr double Modulus = 0.05;
 constexpr double Ratio = 0.45;
 
-/// A block on z = 0 with a point in the middle of its top. Its triangles are smaller than contacts:
-/// large ones would have no compliance.
+/// A block on z = 0 with a point in the middle of its top. Its triangles are smaller than contacts,
+/// because points with larger triangles have no compliance.
 vtkSmartPointer<vtkPolyData> block(double x, double y, double z)
 {
   const auto box = boxOnGround(x, y, z);
-  // A point in the middle of the top takes the place of the diagonal.
+  // Replaces the diagonal of the top by edges to a point in its middle.
   vtkNew<vtkPolyData> made;
   made->DeepCopy(box);
   const vtkIdType middle = made->GetPoints()->InsertNextPoint(0.0, 0.0, z);
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> block(double x, double y, double z)
       cells->InsertNextCell(corners);
       continue;
     }
-    // Both edges of the triangle at the border of the top.
+    // Keeps the two edges of the triangle that are on the border of the top.
     for (int k = 0; k < 3; ++k)
     {
       std::array<double, 3> a{};
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkToolContactResponse> makeResponse(vtkPolyData* body, vtkConta
   return response;
 }
 
-/// Force at the largest depth at a point, N, and its stated error.
+/// Force at the largest depth at a point, N, and its stated relative error.
 std::array<double, 2> pressedAt(vtkToolContactResponse* response, vtkIdType point)
 {
   response->Update();
@@ -124,9 +124,9 @@ std::array<double, 2> pressedAt(vtkToolContactResponse* response, vtkIdType poin
     data->GetArray("ResponseError")->GetComponent(point, 7) };
 }
 
-/// The block stands on its base: at the middle of the top it is a layer bonded to a rigid base, as
-/// its sides are four heights away. The force of the layer is exact; the stated error includes what
-/// the elements miss.
+/// The block stands on its base. In the middle of its top it acts as a layer bonded to a rigid
+/// base, because its sides are four heights away. The force on the layer is exact; the stated error
+/// includes the error of the elements.
 void checkBlockAgainstLayer()
 {
   const auto body = block(100.0, 96.0, Height);
@@ -144,7 +144,7 @@ void checkBlockAgainstLayer()
     const double halfSpace = pressedAt(whole, middle)[0];
     whole->WholeBodyOn();
     const auto [force, stated] = pressedAt(whole, middle);
-    PALPATE_CHECK(exact > 1.1 * halfSpace); // the base matters here
+    PALPATE_CHECK(exact > 1.1 * halfSpace); // the base has a measurable effect
     PALPATE_CHECK(std::abs(force / exact - 1.0) <= stated);
     PALPATE_CHECK(stated < 0.2);
     PALPATE_CHECK(std::abs(force / exact - 1.0) < 0.05); // cells of a third of the height
@@ -154,8 +154,8 @@ void checkBlockAgainstLayer()
   }
 }
 
-/// The largest side holds a body, also if the body is turned. A flat side is held itself, a bulging
-/// one to a depth.
+/// A body is held at its largest side, for any orientation of the body. A flat side is held itself,
+/// a convex side is held up to a depth.
 void checkStandingSide()
 {
   const auto held = [](vtkPolyData* body)
@@ -175,8 +175,8 @@ void checkStandingSide()
   ball->SetPhiResolution(32);
   ball->Update();
   PALPATE_CHECK(held(ball->GetOutput()).substr(0, 3) == "z-:");
-  // The area of a low cap is inversely proportional to the factor: the upper side has
-  // 1.25 and 3.3 times the area of the lower one.
+  // The area of a low cap is inversely proportional to the factor. The area of the upper side is
+  // 1.25 and 3.3 times that of the lower one.
   const auto flattened = [&ball](double factor)
   {
     vtkNew<vtkPolyData> body;
@@ -194,7 +194,7 @@ void checkStandingSide()
   PALPATE_CHECK(held(flattened(0.3)).substr(0, 3) == "z+:");
 }
 
-/// C is proportional to 1/E. The second run reads the first one's file.
+/// C is proportional to 1/E. The second run reads the file that the first one wrote.
 void checkModulusAndCache()
 {
   const auto body = block(40.0, 30.0, 10.0);
@@ -205,7 +205,7 @@ void checkModulusAndCache()
   count->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
   filter->AddObserver(vtkCommand::ProgressEvent, count);
-  filter->SetNumberOfCells(401); // no other check has solved this
+  filter->SetNumberOfCells(401); // a number of cells that no other check uses
   filter->Update();
   const int first = reports;
   const auto valueOf = [&filter](const char* name)
@@ -228,8 +228,8 @@ void checkModulusAndCache()
   PALPATE_CHECK(reports < first / 2);
 }
 
-/// A rod that stands on its end bends under a force on its flank, as a beam does that is short
-/// enough to shear (Timoshenko 1921; shear coefficient of a rectangle: Cowper 1966). The modes bend
+/// A rod that stands on its end bends under a force on its flank as a Timoshenko beam, which
+/// includes shear (Timoshenko 1921; shear coefficient of a rectangle: Cowper 1966). The modes move
 /// the whole rod, also far from the force.
 void checkModes()
 {
@@ -242,7 +242,7 @@ void checkModes()
   vtkPolyData* made = filter->GetOutput();
   vtkDataArray* signs = made->GetFieldData()->GetArray("GlobalModeSign");
   PALPATE_CHECK(signs && signs->GetNumberOfTuples() == 6);
-  const vtkIdType at = made->FindPoint(0.5 * width, 0.0, loaded); // x+ is the outward normal
+  const vtkIdType at = made->FindPoint(0.5 * width, 0.0, loaded); // the outward normal is +x
   // Displacement along x under 1 N against x.
   const auto displacement = [&](vtkIdType point)
   {
@@ -262,15 +262,15 @@ void checkModes()
   { return height * height * (3.0 * loaded - height) / (6.0 * bending) + height / shear; };
   for (const double height : { 15.0, 25.0, 35.0, loaded })
   {
-    // The flank that faces away from the force has no dent. Six modes and cells of half the width
-    // leave some per cent of the largest displacement.
+    // The flank on the other side of the force has no dent. Six modes and cells of half the width
+    // have an error of a few per cent of the largest displacement.
     const double moved = displacement(made->FindPoint(-0.5 * width, 0.0, height));
     PALPATE_CHECK_NEAR(moved / beam(loaded), -beam(height) / beam(loaded), 0.03);
   }
-  PALPATE_CHECK(displacement(made->FindPoint(0.0, 0.0, 0.0)) == 0.0); // held
+  PALPATE_CHECK(displacement(made->FindPoint(0.0, 0.0, 0.0)) == 0.0); // held points do not move
 }
 
-/// A surface that crosses itself cannot be filled as it is. Its outside is.
+/// A surface that crosses itself is replaced by its outer surface, which can be filled.
 void checkCrossingSurface()
 {
   vtkNew<vtkSphereSource> source;
@@ -286,7 +286,7 @@ void checkCrossingSurface()
   plain->Update();
   vtkNew<vtkPolyData> crossed;
   crossed->DeepCopy(ball);
-  // Two neighbours on the equator change places.
+  // Moves a point on the equator across its neighbours.
   vtkIdType a = 0;
   for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
   {
@@ -302,14 +302,14 @@ void checkCrossingSurface()
   vtkDataArray* before = plain->GetOutput()->GetPointData()->GetArray("GlobalCompliance");
   vtkDataArray* after = mended->GetOutput()->GetPointData()->GetArray("GlobalCompliance");
   PALPATE_CHECK(before && after);
-  // At the top pole, far from the fold, within both errors.
+  // Compares at the top pole, far from the fold. The sum of both errors is allowed.
   const double error =
     plain->GetOutput()->GetPointData()->GetArray("GlobalComplianceError")->GetTuple1(0) +
     mended->GetOutput()->GetPointData()->GetArray("GlobalComplianceError")->GetTuple1(0);
   PALPATE_CHECK(std::abs(after->GetTuple1(0) - before->GetTuple1(0)) < error);
 }
 
-/// Where the compliance does not apply, the response is that without it.
+/// A body without a compliance gets the same response as without WholeBody.
 void checkLeftOut()
 {
   vtkNew<vtkPlaneSource> sheet;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any input as a body results in triangles in mm, or in an error message with a remedy.
+// Any input is converted to a body of triangles in mm, or causes an error message with a remedy.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -30,9 +30,9 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr int Cells = 3;       // of the block along each axis
+constexpr int Cells = 3;       // cells of the block along each axis
 constexpr double Side = 30.0;  // mm
-constexpr double Exact = 1e-9; // relative to coordinates of at most 100: rounding
+constexpr double Exact = 1e-9; // rounding of coordinates of at most 100 mm, relative
 
 struct Made
 {
@@ -77,7 +77,7 @@ double enclosedVolume(vtkPolyData* body)
   return sum;
 }
 
-/** A cube of size Side with Cells³ voxels, from the origin, with a point array. */
+/** A cube with the side Side and Cells³ voxels, one corner at the origin, with a point array. */
 vtkSmartPointer<vtkImageData> imageBlock(int first = 0, int last = Cells)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -135,8 +135,8 @@ vtkSmartPointer<vtkUnstructuredGrid> unstructuredBlock()
 }
 
 /**
- * Checks for one closed surface of a cube: no duplicate point, no inner wall, the array at its
- * points.
+ * Checks that the input becomes one closed surface of a cube, without duplicate points or inner
+ * walls, and with the array at its points.
  */
 void checkBlock(vtkDataObject* input)
 {
@@ -161,10 +161,11 @@ void checkVolumes()
   checkBlock(imageBlock());
   checkBlock(rectilinearBlock());
   checkBlock(structuredBlock(1.0));
-  checkBlock(structuredBlock(-1.0)); // left-handed: inside out, so it is turned
+  // left-handed: its cells are inverted, and the surface must be turned outward
+  checkBlock(structuredBlock(-1.0));
   checkBlock(unstructuredBlock());
 
-  // Its two halves are joined, also if one contains a layer of the other as ghosts.
+  // Two halves of a block are joined, also if one contains a layer of the other as ghost cells.
   for (const int ghosts : { 0, 1 })
   {
     auto left = imageBlock(0, 1 + ghosts);
@@ -186,7 +187,7 @@ void checkVolumes()
 
 void checkSurfaces()
 {
-  // Triangles only: the same cells, points and arrays, without a message.
+  // An input of triangles only keeps its cells, points and arrays, without a message.
   const Body ball = sphereBody(30.0, 2);
   addRadialNormals(ball);
   Made same;
@@ -221,7 +222,7 @@ void checkSurfaces()
   PALPATE_CHECK_TEXT(cut.filter->GetNote(0), "strips cut into 320 triangles");
   PALPATE_CHECK_TEXT(cut.filter->GetNote(1), "2 vertices and lines left out");
 
-  // Inside out: it is turned.
+  // A surface with inward winding is reversed.
   const Body bare = sphereBody(30.0, 2);
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(bare);
@@ -246,12 +247,12 @@ void checkFlaps()
   };
   vtkNew<vtkIdList> once;
   ball->GetCellPoints(0, once);
-  add(once->GetId(1), once->GetId(2), once->GetId(0)); // twice
+  add(once->GetId(1), once->GetId(2), once->GetId(0)); // the triangle occurs twice
   vtkNew<vtkIdList> both;
   ball->GetCellPoints(5, both);
-  add(both->GetId(2), both->GetId(0), both->GetId(1)); // twice, and reversed
+  add(both->GetId(2), both->GetId(0), both->GetId(1)); // a copy and a reversed copy
   add(both->GetId(1), both->GetId(0), both->GetId(2));
-  add(once->GetId(0), once->GetId(1), both->GetId(0)); // a flap across the ball
+  add(once->GetId(0), once->GetId(1), both->GetId(0)); // two sides of a flap across the ball
   add(once->GetId(1), once->GetId(0), both->GetId(0));
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("Number");
@@ -269,7 +270,8 @@ void checkFlaps()
   vtkDataArray* kept = made.body->GetCellData()->GetArray("Number");
   PALPATE_CHECK(kept && kept->GetNumberOfTuples() == own);
   PALPATE_CHECK(
-    kept && kept->GetRange()[1] == static_cast<double>(own - 1)); // the first one of each
+    // the first one of equal triangles is kept
+    kept && kept->GetRange()[1] == static_cast<double>(own - 1));
   PALPATE_CHECK(made.filter->GetNumberOfNotes() == 1);
   PALPATE_CHECK_TEXT(made.filter->GetNote(0), "5 triangles that occur twice");
   PALPATE_CHECK(merged->GetPolys()->GetNumberOfCells() == own + 5); // the input is unchanged
@@ -331,8 +333,9 @@ void checkComposites()
   PALPATE_CHECK(joined.body->GetPointData()->HasArray("Shared"));
   PALPATE_CHECK_TEXT(joined.filter->GetNote(0), "2 partitions joined");
 
-  // Blocks stay separate, in their order. An empty block and one of lines have no effect. An
-  // inverted block is turned alone. An array that only one block has is left out with a message.
+  // Blocks stay separate and keep their order. Empty blocks and blocks of lines have no effect.
+  // Only the block with inward winding is reversed. An array that is missing in one block is left
+  // out with a message.
   const Body second = sphereBody(20.0, 1);
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputData(second);
@@ -392,7 +395,7 @@ void checkUnits()
   }
   struct Size
   {
-    double side; // edge of a cube, mm
+    double side; // side of a cube, mm
     bool asked;
   };
   for (const Size& size :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes as mesh generators write them: with faces and edges as cells, in several blocks, with
-// inverted or mixed cells; and polygons that touch themselves.
+// inverted or mixed cells. Also polygons that touch themselves.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -20,7 +20,7 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr int Cells = 3; // of 10 mm, along each axis
+constexpr int Cells = 3; // cells of 10 mm along each axis
 constexpr double Volume = 27000.0;
 constexpr double Rounding = 1e-9; // relative to the volume
 
@@ -49,7 +49,7 @@ Grid gridWithPoints()
   return grid;
 }
 
-/// Tetrahedra in the layers of cubes from `first` up to `last`, without `last`.
+/// Tetrahedra in the layers of cubes from `first` up to, but without, `last`.
 Grid tetrahedra(int first, int last)
 {
   const Grid grid = gridWithPoints();
@@ -97,7 +97,8 @@ struct Made
   }
 };
 
-/// Checks that only the block remains: no inner wall, no duplicate face, wound outward.
+/// Checks that only the surface of the block remains: no inner wall, no duplicate face, outward
+/// winding.
 void checkBlock(vtkDataObject* input, const char* note = "")
 {
   Made made(input);
@@ -151,7 +152,8 @@ void checkSeveralBlocks()
   checkBlock(partitions);
 }
 
-/// Cells that occur two times have no outer face in common. Blocks with rounded points share them.
+/// Cells that occur two times have no outer face between them. Blocks with rounded points are
+/// joined at these points.
 void checkRepeatedCellsAndRoundedPoints()
 {
   for (const int times : { 1, 6 * Cells * Cells * Cells })
@@ -181,7 +183,7 @@ void checkRepeatedCellsAndRoundedPoints()
   PALPATE_CHECK(made.filter->GetOutput()->GetNumberOfPolys() == 6 * Cells * Cells * 2);
 }
 
-/// Voxels that are not parallel to the axes, and those of a grid bent around an axis until its ends
+/// Voxels that are not parallel to the axes, and a grid that is bent around an axis until its ends
 /// meet up to rounding. A grid with one inverted cell is rejected.
 void checkTurnedAndClosedGrids()
 {
@@ -213,10 +215,11 @@ void checkTurnedAndClosedGrids()
   PALPATE_CHECK(ring.filter->GetOutput()->GetNumberOfPolys() == 24 * 4 * 2);
   const auto broken = bent(5.0);
   std::array<double, 3> at{};
-  for (const vtkIdType inner : { 3, 53 }) // of both layers
+  for (const vtkIdType inner : { 3, 53 }) // points of the lower and the upper layer
   {
     broken->GetPoints()->GetPoint(inner, at.data());
-    broken->GetPoints()->SetPoint(inner, 3.0 * at[0], 3.0 * at[1], at[2]); // beyond the outer side
+    // moves the inner point beyond the outer side
+    broken->GetPoints()->SetPoint(inner, 3.0 * at[0], 3.0 * at[1], at[2]);
   }
   Made refused(broken);
   PALPATE_CHECK_TEXT(refused.messages.errors(), "cells are inverted, the first is cell");
@@ -286,7 +289,8 @@ void checkInvertedCells()
   PALPATE_CHECK_TEXT(made.messages.errors(), "2 of 162 cells are inverted", "cell 7");
 }
 
-/// A square ring. Each of its two ends is one polygon, cut open from the outer to the inner square.
+/// A square ring. Each of its two ends is one polygon with a cut from the outer to the inner
+/// square.
 void checkKeyhole(bool crosses)
 {
   vtkNew<vtkPoints> points;
@@ -333,7 +337,7 @@ void checkKeyhole(bool crosses)
   PALPATE_CHECK_NEAR(mass->GetVolumeProjected(), volume, Rounding * volume);
 }
 
-/// Repeated corners do not count. Polygons with crossing sides are rejected, even quadrilaterals.
+/// Repeated corners have no effect. Polygons with crossing sides are rejected, also quadrilaterals.
 void checkPolygons()
 {
   const auto bodyOf = [](std::initializer_list<vtkIdType> first)

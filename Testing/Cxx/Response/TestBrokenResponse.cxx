@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response arrays that violate the contract, as the probe may find them in a file from another
-// program: an error that names the array, an empty output, and no effect on the next update.
+// Response arrays that violate the contract, as they may be in a file from another program. The
+// probe reports an error that names the array, has an empty output, and works again with valid
+// arrays.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -27,7 +28,7 @@ Body goodBody()
   return body;
 }
 
-/// One law with the coefficient 1 everywhere.
+/// A body with one law and the coefficient 1 everywhere.
 Body compactBody()
 {
   Body body = goodBody();
@@ -72,7 +73,7 @@ void expectError(const Body& good, const Spoil& spoil, std::initializer_list<con
   PALPATE_CHECK(force && force->GetTuple1(0) > 0.0);
 }
 
-/// Faults: missing, of another type, of another shape, too short.
+/// Checks an array that is missing, has another type or shape, or is too short.
 void checkPointArray(const Body& good, const std::string& name)
 {
   const auto without = [name](vtkPolyData* body)
@@ -136,7 +137,7 @@ void checkCompact()
   checkPointArray(good, "ResponseCoefficient");
   checkPointArray(good, "ResponseNormal");
   expectError(good, setNumber("ResponseSamples", 7), { "'ResponseBasis'", "14", "16" });
-  // Without the basis it counts as the other form, which has no forces.
+  // Without the basis the response counts as one curve per point, whose forces are missing.
   expectError(good, dropField("ResponseBasis"), { "'ResponseForce' is missing" });
   const auto resize = [](int components, vtkIdType tuples)
   {
@@ -163,7 +164,7 @@ int TestBrokenResponse(int, char*[])
   checkFieldArrays(good);
   expectError(good, setNumber("ResponseSamples", 7), { "'ResponseForce'", "7 components" });
   checkCompact();
-  // A body without any response, and one whose response has another name.
+  // A body without any response, and a body whose response has another name.
   expectError(good,
     [](vtkPolyData* body)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second mesh of vtkElasticContactResponse: its effects, against the exact layer; from one tool
-// to the next, threads, abort, errors. For the reliability of its error see MeshDifferenceTest in
-// Mechanics.
+// The second mesh of vtkElasticContactResponse: its effect against the exact layer, a change of the
+// tool, threads, abort, errors. MeshDifferenceTest in Mechanics checks how often its error estimate
+// holds.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -22,9 +22,9 @@ using namespace palpate::testing;
 using ElasticFilter = vtkSmartPointer<vtkElasticContactResponse>;
 
 constexpr int Side = 24;
-constexpr int Height = 4; // a layer of 4 mm in four cells, and in two
+constexpr int Height = 4; // mm: a layer of four cells, and of two in the second mesh
 
-/// side × side × height mm in cells of `length` mm.
+/// A block of side × side × height mm with cells of `length` mm.
 Grid cellsOf(double length, int side = Side, int height = Height)
 {
   const Grid grid =
@@ -70,9 +70,9 @@ bool isSame(vtkDataArray* a, vtkDataArray* b)
   return same;
 }
 
-/// In the middle of a bonded layer, where the exact law gives the true error: it is within the
-/// stated error, which is at most a little more than without the second mesh. The forces do not
-/// change. Without the second mesh the stated error is the old one again.
+/// In the middle of a bonded layer the exact law gives the true error. It is within the stated
+/// error, which is at most √2 times that without the second mesh. The forces do not change. If the
+/// second mesh is removed, the stated error is again that without it.
 void checkLayer()
 {
   const Grid grid = cellsOf(1.0);
@@ -112,7 +112,8 @@ void checkLayer()
   PALPATE_CHECK(isSame(array(with, "ResponseValidity"), array(without, "ResponseValidity")));
 }
 
-/// The next tool needs no new solution and gives the same as alone, also on a finer surface.
+/// A change of the tool needs no new solution and gives the same result as a new filter, also on a
+/// finer surface.
 void checkNextTool()
 {
   const Grid grid = cellsOf(1.0, 10, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field under one tip: the tool's own field on planes and spheres.
+// The displacement field under one tip: the closed form of the tool on planes and spheres.
 #include "FilterChecks.h"
 #include "ProbedTips.h"
 
@@ -10,7 +10,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// On a plane the distance is measured straight. The probe finds the contact.
+/// On a plane the distance from the contact is straight. The contact is from the probe.
 void checkPlane(const char* specification)
 {
   constexpr double Depth = 0.8;
@@ -45,7 +45,7 @@ void checkPlane(const char* specification)
   PALPATE_CHECK(inside > 4);
 }
 
-/// On a sphere the distance is the arc Rθ. The field ends at 60°.
+/// On a sphere the distance from the contact is the arc Rθ. The field ends at 60°.
 void checkSphere()
 {
   constexpr double Radius = 20.0;
@@ -72,11 +72,11 @@ void checkSphere()
     }
     if (degrees > 59.0)
     {
-      continue; // within half a degree the mesh's own normals decide
+      continue; // near 60° the field depends on the normals of the mesh
     }
     double u[2];
     tool->GetSurfaceDisplacement(Radius * angle, Depth, Poisson, u);
-    // u_z along the contact normal, u_r along the tangent of the sphere away from the contact.
+    // u_z is along the contact normal, u_r along the tangent of the sphere away from the contact.
     double away[3];
     for (int c = 0; c < 3; ++c)
     {
@@ -85,13 +85,13 @@ void checkSphere()
     for (std::size_t c = 0; c < 3; ++c)
     {
       // Angle-weighted normals of this mesh (h = 1.4 mm) have an error of at most h²/R² /10 = 5e-4
-      // rad. They turn the arc and the tangent by that much.
+      // rad, which rotates the arc and the tangent by the same angle.
       PALPATE_CHECK_NEAR(found[c], u[0] * away[c] - u[1] * n[c], 5e-4 * Depth);
     }
   }
 }
 
-/// Points nearby but on another component of the surface do not move.
+/// Points near the contact do not move if they are on another component of the surface.
 void checkComponents()
 {
   vtkNew<vtkAppendPolyData> both;

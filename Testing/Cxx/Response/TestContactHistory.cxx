@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact along a path as a table over time or deflection.
+// The table of a contact along a path, over time or deflection.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -18,7 +18,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Tips in lines with these ids, with distinct numbers.
+/// Tips in lines with these ids, with distinct numbers in their arrays.
 Body tips(const std::vector<std::vector<vtkIdType>>& lines, vtkIdType count, bool timed)
 {
   Body body = Body::New();
@@ -93,7 +93,7 @@ void checkOneLine()
   vtkIdType row = 0;
   for (const double id : { 4.0, 2.0, 0.0, 1.0 })
   {
-    // Rounding of a product or of a root; 3, 4, 0 have the resultant 5.
+    // Tolerances: rounding of a product or of a root. The components 3, 4, 0 have the resultant 5.
     PALPATE_CHECK_NEAR(value(table, row, "Time (s)"), 0.03 * id, 1e-15);
     PALPATE_CHECK_NEAR(value(table, row, "Deflection (mm)"), 0.3 * id, 1e-15);
     PALPATE_CHECK_NEAR(value(table, row, "Normal Force (N)"), 3.0 * id, 0.0);
@@ -148,7 +148,7 @@ void checkSeveralLines()
   PALPATE_CHECK(messages.none());
 }
 
-/// The output of a probe, without time.
+/// The output of a probe, without times.
 void checkProbe()
 {
   vtkNew<vtkToolContactResponse> response;
@@ -181,7 +181,7 @@ void checkProbe()
   {
     PALPATE_CHECK_NEAR(value(table, i, "Deflection (mm)"),
       std::max(0.0, 0.25 * static_cast<double>(i) - 0.5), 1e-15);
-    // The resultant of normal force and friction, which are perpendicular.
+    // The force is the resultant of normal force and friction, which are perpendicular.
     PALPATE_CHECK_NEAR(value(table, i, "Force (N)"),
       std::hypot(value(table, i, "Normal Force (N)"), value(table, i, "Friction Force (N)")),
       1e-14);
@@ -189,7 +189,7 @@ void checkProbe()
   PALPATE_CHECK(value(table, 8, "Friction Force (N)") > 0.0);
 }
 
-/// A body that relaxes: the normal force is 3 i, of which i is memory.
+/// A body that relaxes: the normal force is 3 i, and the memory part is i.
 void checkMemory()
 {
   vtkNew<vtkContactHistory> history;

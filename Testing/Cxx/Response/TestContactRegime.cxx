@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local or global: regime index and tool sensitivity against the closed forms of the series model
-// and the reference tables, and the resulting verdict.
+// Regime index and tool sensitivity against the closed forms of the series model and the reference
+// tables, and the resulting verdict.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -62,8 +62,8 @@ void checkSeriesTable()
     regime->Update();
     const double lambda = table.number(row, "lambda");
     const double sensitivity = table.number(row, "dlnF_dlnsize");
-    // Float arrays. The table's derivatives have an error of 1e-7, the central difference one of
-    // 2e-5.
+    // The arrays are floats. The table's derivatives have an error of 1e-7, the filter's central
+    // difference of 2e-5.
     PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 2), lambda, 1e-7);
     PALPATE_CHECK_NEAR(result(regime, "ToolSensitivity", 2), sensitivity, 3e-5);
     const double expected = std::pow(2.0, sensitivity) > 1.1 ? 0
@@ -74,7 +74,7 @@ void checkSeriesTable()
   PALPATE_CHECK(rows == 40);
 }
 
-/// The reference sheet: on a bonded layer of ν = ½ the sensitivity of a sphere rises from 0.57 at
+/// By the reference sheet the sensitivity of a sphere on a bonded layer of ν = ½ rises from 0.57 at
 /// χ = √(Rδ)/h = 0.1 to 0.96 at 0.5 and 1.28 at 1, and λ is negative.
 void checkLayerSensitivity()
 {
@@ -87,14 +87,16 @@ void checkLayerSensitivity()
     regime->SetPoissonRatio(0.5);
     regime->SetLayerThickness(2.0 / chis[i]);
     regime->Update();
-    PALPATE_CHECK_NEAR(result(regime, "ToolSensitivity", 0), sensitivities[i], 0.005); // 2 digits
+    // the reference sheet states 2 digits
+    PALPATE_CHECK_NEAR(result(regime, "ToolSensitivity", 0), sensitivities[i], 0.005);
     PALPATE_CHECK(result(regime, "RegimeIndex", 0) < 0.0);
     PALPATE_CHECK(result(regime, "RegimeVerdict", 0) == 0.0);
   }
 }
 
-/// Two spheres of the paper on 10 mm of liver (ν = ½), pressed 5 mm deep. Their forces differ by a
-/// factor of 3.27, on a half-space by 1.99: the shape matters more where λ is most negative.
+/// Two spheres of Mahvash and Hayward 2002 on 10 mm of liver (ν = ½), pressed 5 mm deep. Their
+/// forces differ by a factor of 3.27, on a half-space by 1.99. The shape has the largest effect
+/// where λ is most negative.
 void checkLiverSlab()
 {
   Body body = planeBody(10.0, 1);
@@ -110,7 +112,8 @@ void checkLiverSlab()
     return filter->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(0, 7);
   };
   PALPATE_CHECK_NEAR(
-    force("paraboloid:6.35", 10.0) / force("paraboloid:1.6", 10.0), 3.27, 0.005); // two digits
+    // the reference sheet states two decimals
+    force("paraboloid:6.35", 10.0) / force("paraboloid:1.6", 10.0), 3.27, 0.005);
   PALPATE_CHECK_NEAR(force("paraboloid:6.35", 0.0) / force("paraboloid:1.6", 0.0), 1.99, 0.005);
   // λ = 1 - δ_hs/δ with F ∝ δ^1.5: 1 - (F/F_Hertz)^(2/3).
   const ReferenceTable table("liver_slab_h10.csv");
@@ -127,7 +130,7 @@ void checkLiverSlab()
   }
 }
 
-/// Without a given depth it is half of Range. The default material is that of the response.
+/// Without a given depth half of the range is used. The default material is that of the response.
 void checkDefaults()
 {
   Body plain = planeBody(10.0, 3);
@@ -158,10 +161,10 @@ void checkDefaults()
     PALPATE_CHECK(
       i == 0 || result(regime, "RegimeIndex", i) > result(regime, "RegimeIndex", i - 1));
   }
-  PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 0), 0.0, 1e-12); // no compliance
+  PALPATE_CHECK_NEAR(result(regime, "RegimeIndex", 0), 0.0, 1e-12); // point 0 has no compliance
 
-  // A modulus that differs from that of the response. The stated error of the corner, point 0, is
-  // larger than this difference.
+  // A modulus that differs from that of the response. At the corner, point 0, the stated error is
+  // larger than the difference, so the error names point 1.
   regime->SetYoungsModulus(2.0 * Rubber);
   regime->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Response 'Response'", "another material", "point 1");
@@ -200,7 +203,7 @@ void checkErrors()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Tool");
 }
 
-/// If the compliance folds the curve, there is no regime.
+/// A point whose curve is folded by its compliance has no regime.
 void checkFold()
 {
   Body body = planeBody(10.0, 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One object holds the contact settings: defaults, table, fault messages, and filters that share
-// it.
+// The object that holds the contact settings: defaults, table, fault messages, and filters that
+// share it.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -51,7 +51,7 @@ void checkModifiedTime()
     time = settings->GetMTime();
     return time > before;
   };
-  settings->SetForceForm(vtkContactSettings::NormalizedDirection); // the present values
+  settings->SetForceForm(vtkContactSettings::NormalizedDirection); // the value that is already set
   settings->SetContactSurface(vtkContactSettings::Facets);
   settings->SetFrictionModel(vtkContactSettings::ElastoPlastic);
   settings->SetFrictionCoefficient(0.0);
@@ -94,7 +94,7 @@ void checkFaults()
   settings->SetFrictionModel(3);
   PALPATE_CHECK_TEXT(settings->GetFault(), "Friction Model", "2 (ShapeDerived)", "but is 3");
   settings->SetFrictionModel(0);
-  settings->SetFrictionStickRadius(0.5); // wrong only until the breakaway is set
+  settings->SetFrictionStickRadius(0.5); // invalid until the breakaway is set
   PALPATE_CHECK_TEXT(settings->GetFault(), "Friction Stick Radius", "breakaway", "0.5");
   settings->SetFrictionBreakaway(0.4);
   PALPATE_CHECK(settings->GetFault().empty());
@@ -104,7 +104,7 @@ void checkTable()
 {
   vtkNew<vtkTable> table;
   vtkContactSettings::GetTable(table);
-  vtkContactSettings::GetTable(table); // clears the old content
+  vtkContactSettings::GetTable(table); // clears the previous content
   PALPATE_CHECK(table->GetNumberOfRows() == 9 && table->GetNumberOfColumns() == 8);
   const auto text = [&](int row, const char* column)
   { return table->GetValueByName(row, column).ToString(); };
@@ -120,7 +120,7 @@ void checkTable()
   PALPATE_CHECK(number(8, "Minimum") == 0.0 && number(8, "Maximum") == 32.0);
 }
 
-/// Two probes and a touch share one object: a setting changed at one applies to all.
+/// Two probes and a touch share one object, so a setting changed at one applies to all.
 void checkSharing()
 {
   const Body body = withResponse(planeBody(5.0, 10), "flat:1");
@@ -152,7 +152,7 @@ void checkSharing()
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Friction Breakaway must lie between 0 and 1", "is 2");
   touch->Update();
   PALPATE_CHECK_TEXT(touching.takeErrors(), "Friction Breakaway must lie between 0 and 1", "is 2");
-  second->SetSettings(nullptr); // its own settings again, as at first
+  second->SetSettings(nullptr); // the probe has its own settings again
   PALPATE_CHECK(second->GetSettings() && second->GetSettings() != first->GetSettings());
   PALPATE_CHECK(lastFriction(second) == 0.0 && messages.none());
 }

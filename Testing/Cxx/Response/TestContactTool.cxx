@@ -16,7 +16,7 @@ namespace
 using palpate::testing::Messages;
 using palpate::testing::ReferenceTable;
 
-constexpr double Modulus = 3.45; // E* of all the tables
+constexpr double Modulus = 3.45; // E* of the tables, MPa
 
 // The tables have 12 to 14 digits; columns from quadrature have 10.
 constexpr double Closed = 1e-11;
@@ -44,7 +44,7 @@ void checkPunches()
     const auto found = known.find(table.text(row, "tool"));
     if (found == known.end())
     {
-      continue; // a cone blunted by a paraboloid: not one of the shapes
+      continue; // the library has no cone blunted by a paraboloid
     }
     ++rows;
     tool->SetSpecification(found->second);
@@ -53,7 +53,7 @@ void checkPunches()
     near(tool->GetContactRadius(depth), a, Closed);
     near(tool->GetForce(depth, Modulus), table.number(row, "F_N(E*=3.45MPa)"), Closed);
     near(tool->GetStiffness(depth, Modulus), table.number(row, "dFddelta=2E*a_N/mm"), Closed);
-    // Beyond an edge the table's own quadrature is inaccurate (see PunchTableTest).
+    // Beyond an edge the table's quadrature is inaccurate (see PunchTableTest).
     const int shape = tool->GetShape();
     const bool edge =
       shape == vtkContactTool::TruncatedCone || shape == vtkContactTool::RoundedFlat;
@@ -64,7 +64,8 @@ void checkPunches()
     near(u[1], table.number(row, "uz(2a)_mm"), Quadrature);
     tool->GetSurfaceDisplacement(0.5 * a, depth, 0.3, u);
     near(u[0], table.number(row, "ur(a/2)_mm_nu0.3"), Quadrature);
-    near(u[1], depth - tool->GetProfile(0.5 * a), Closed); // under the tool: the tool's own shape
+    // under the tool the surface has the tool's shape
+    near(u[1], depth - tool->GetProfile(0.5 * a), Closed);
   }
   PALPATE_CHECK(rows == 52);
 }
@@ -89,7 +90,7 @@ void checkPaperFigure()
 
 void checkLimits()
 {
-  vtkNew<vtkContactTool> tool; // the defaults
+  vtkNew<vtkContactTool> tool; // a tool with its defaults
   PALPATE_CHECK(tool->GetSpecification() == "sphere:5" && tool->GetHalfAngle() == 60.0);
   PALPATE_CHECK(tool->GetEdgeRadius() == 1.0 && tool->GetProfilePoints() == nullptr);
   PALPATE_CHECK(tool->GetExponent() == 2.0 && tool->GetCoefficient() == 0.1);
@@ -108,7 +109,7 @@ void checkLimits()
   tool->SetShapeToParaboloid();
   PALPATE_CHECK(tool->GetShape() == vtkContactTool::Paraboloid);
   const double before = tool->GetForce(1.0, 1.0);
-  tool->SetRadius(20.0); // 4 times the radius, twice the force: the law must change
+  tool->SetRadius(20.0); // 4 times the radius, twice the force: the stored law must be renewed
   near(tool->GetForce(1.0, 1.0), 2.0 * before, 1e-15);
 }
 
@@ -123,7 +124,7 @@ void checkSpecification()
     PALPATE_CHECK(tool->SetSpecification(text) && tool->GetSpecification() == text);
   }
   tool->SetShapeToSphere();
-  tool->SetRadius(0.1 + 0.2); // not a short decimal
+  tool->SetRadius(0.1 + 0.2); // 0.1 + 0.2 is not a short decimal number
   vtkNew<vtkContactTool> other;
   PALPATE_CHECK(other->SetSpecification(tool->GetSpecification()));
   PALPATE_CHECK(other->GetRadius() == tool->GetRadius() && other->GetShape() == tool->GetShape());
@@ -138,7 +139,7 @@ void checkSpecification()
   }
 }
 
-/// Every query of an invalid tool returns NaN, with an error that names the value.
+/// Every function of an invalid tool returns NaN and reports an error that names the value.
 void checkSize()
 {
   vtkNew<vtkContactTool> tool;
@@ -196,7 +197,7 @@ void checkErrors()
   tool->SetHalfAngle(95.0);
   checkInvalid(tool, messages, "half angle", "95");
   tool->SetShapeToSphere();
-  PALPATE_CHECK(tool->GetForce(1.0, 1.0) > 0.0 && messages.none()); // valid again
+  PALPATE_CHECK(tool->GetForce(1.0, 1.0) > 0.0 && messages.none()); // the tool is valid again
 
   for (const double modulus : { 0.0, -2.5, NotANumber })
   {

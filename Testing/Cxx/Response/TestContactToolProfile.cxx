@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactTool's Profile: its points, who may change them, and its messages on invalid profiles.
+// vtkContactTool's Profile: its points, the effect of changing them, and the messages on invalid
+// profiles.
 #include "FilterChecks.h"
 
 #include "vtkContactTool.h"
@@ -34,13 +35,14 @@ void checkPoints()
   vtkNew<vtkPoints> points = paraboloid(6.35, 4.0, 128);
   tool->SetProfile(points);
   PALPATE_CHECK(tool->GetProfilePoints() == points);
-  // Second order: 1.5e-5 with 128 segments by the reference sheet; 4.09826… is from golden.csv.
+  // The error is of second order: 1.5e-5 with 128 segments by the reference sheet. The value
+  // 4.09826… is from golden.csv.
   const double golden = 4.09826182667726;
   PALPATE_CHECK_NEAR(tool->GetForce(0.5, 3.45), golden, 5e-5 * golden);
   PALPATE_CHECK(std::isinf(tool->GetDepthLimit()));
   PALPATE_CHECK(tool->GetDescription() == "profile of 129 points, radius 4 mm");
 
-  // Changed points take effect after Modified(); without it they may not.
+  // Changed points take effect after Modified(). Without it they may have no effect.
   const vtkMTimeType before = tool->GetMTime();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -51,7 +53,7 @@ void checkPoints()
   PALPATE_CHECK(tool->GetMTime() > before);
   PALPATE_CHECK_NEAR(tool->GetForce(0.5, 3.45), 0.5 * golden, 2e-4 * golden);
 
-  // Points added one by one. The points given to SetProfile are not changed.
+  // Points are added one by one. The points given to SetProfile are not changed.
   tool->AddProfilePoint(9.0, 20.0);
   PALPATE_CHECK(points->GetNumberOfPoints() == 129);
   PALPATE_CHECK(tool->GetProfilePoints()->GetNumberOfPoints() == 130);
@@ -88,7 +90,8 @@ void checkWrongPoints()
   }
 }
 
-/// The shoulder of the reference sheet, f = min(r, 1): at δ = 1.1 it is 0.088 deep at r = 20.
+/// The profile f = min(r, 1) of the reference sheet has a shoulder. At δ = 1.1 the shoulder is
+/// 0.088 deep at r = 20.
 void checkShoulder()
 {
   vtkNew<vtkContactTool> tool;
@@ -97,7 +100,8 @@ void checkShoulder()
   tool->AddProfilePoint(0.0, 0.0);
   tool->AddProfilePoint(1.0, 1.0);
   tool->AddProfilePoint(20.0, 1.0);
-  PALPATE_CHECK_NEAR(tool->GetForce(0.9, 1.0), 2.0 / 3.14159265358979 * 0.81, 1e-13); // the cone
+  // the force of the cone
+  PALPATE_CHECK_NEAR(tool->GetForce(0.9, 1.0), 2.0 / 3.14159265358979 * 0.81, 1e-13);
   PALPATE_CHECK(messages.none());
   const double limit = tool->GetDepthLimit();
   PALPATE_CHECK(limit > 1.0 && limit < 1.03);
@@ -114,7 +118,8 @@ void checkShoulder()
   PALPATE_CHECK(tool->GetForce(-1.0, 1.0) == 0.0 && messages.none());
 }
 
-/// A concave profile that touches at a ring, and samples of a profile with a ring.
+/// A concave profile whose outer part approaches the body again, and samples of a profile with a
+/// ring.
 void checkConcaveAndRinged()
 {
   vtkNew<vtkContactTool> tool;
@@ -122,7 +127,8 @@ void checkConcaveAndRinged()
   tool->SetShapeToProfile();
   for (int i = 0; i <= 60; ++i)
   {
-    const double r = 0.05 * i; // sin r + 0.1 r: g decreases, and the far part approaches again
+    // sin r + 0.1 r: g falls, and the outer part approaches the body again
+    const double r = 0.05 * i;
     tool->AddProfilePoint(r, std::sin(r) + 0.1 * r);
   }
   PALPATE_CHECK(std::isfinite(tool->GetForce(0.1, 1.0)) && messages.none());
@@ -131,7 +137,7 @@ void checkConcaveAndRinged()
   tool->RemoveAllProfilePoints();
   for (int i = 0; i <= 40; ++i)
   {
-    const double r = 0.02 * i; // (r²-¼)² touches at a ring of radius ½
+    const double r = 0.02 * i; // (r²-¼)² has a ring of radius ½ as low as the tip
     tool->AddProfilePoint(r, std::pow(r * r - 0.25, 2));
   }
   PALPATE_CHECK(std::isnan(tool->GetForce(0.01, 1.0)));

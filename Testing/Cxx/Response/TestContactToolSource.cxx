@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a tool: on its profile, closed, with outward normals, of the stated size.
+// The geometry of a tool: its points are on the profile, its surface is closed with outward
+// normals, and it has the stated size.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -24,7 +25,7 @@ struct Case
 /// Checks that the points are on the profile, on the shaft or on the lid.
 void checkPoints(vtkPolyData* geometry, vtkContactTool* tool, double outer)
 {
-  // Float coordinates of 40 mm: an error of 2e-6. At a steep profile that is a height of 1e-4.
+  // Float coordinates of 40 mm have an error of 2e-6, which on a steep profile is a height of 1e-4.
   constexpr double Rounding = 4e-6;
   for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
   {
@@ -38,7 +39,8 @@ void checkPoints(vtkPolyData* geometry, vtkContactTool* tool, double outer)
   }
 }
 
-/// Checks that point normals agree with the winding. Returns the enclosed volume, > 0 if outward.
+/// Checks that point normals agree with the winding. Returns the enclosed volume, which is > 0 for
+/// outward winding.
 double checkNormals(vtkPolyData* geometry)
 {
   vtkDataArray* normals = geometry->GetPointData()->GetNormals();
@@ -58,11 +60,11 @@ double checkNormals(vtkPolyData* geometry)
     vtkTriangle::ComputeNormal(p[0], p[1], p[2], facet);
     if (vtkTriangle::TriangleArea(p[0], p[1], p[2]) < 1e-6)
     {
-      continue; // slivers on the axis, from the sweep
+      continue; // slivers that the sweep makes on the axis
     }
     for (int k = 0; k < 3; ++k)
     {
-      // Normals are split at 30°: none differs by more from its facet.
+      // Normals are split at 30°, so no normal differs by more from its facet.
       PALPATE_CHECK(vtkMath::Dot(facet, normals->GetTuple3(ids->GetId(k))) > std::cos(0.53));
     }
     double cross[3];
@@ -74,7 +76,7 @@ double checkNormals(vtkPolyData* geometry)
 
 void checkClosed(vtkPolyData* geometry)
 {
-  vtkNew<vtkCleanPolyData> merged; // normals were split along sharp edges
+  vtkNew<vtkCleanPolyData> merged; // the normals were split along sharp edges
   merged->SetInputData(geometry);
   merged->SetToleranceIsAbsolute(true);
   merged->SetAbsoluteTolerance(1e-5);
@@ -93,23 +95,25 @@ void checkShapes()
   const double pi = vtkMath::Pi();
   const double cot60 = 1.0 / std::sqrt(3.0);
   const Case cases[] = { { "flat:1.6", 1.6, pi * 1.6 * 1.6 * Length },
-    // half a ball and a shaft; the space under a paraboloid or cone is 1/2 or 2/3 of a cylinder
+    // half a ball and a shaft; the space between a paraboloid or cone and the plane at its tip is
+    // 1/2 or 2/3 of a cylinder
     { "sphere:5", 5.0, pi * 25.0 * (Length - 5.0) + 2.0 / 3.0 * pi * 125.0 },
     { "paraboloid:5", 8.0, pi * 64.0 * (Length - 0.5 * 6.4) },
     { "cone:60", 8.0, pi * 64.0 * (Length - 2.0 / 3.0 * 8.0 * cot60) },
-    // the space under a profile f is 2π ∫ f r dr
+    // the volume below a profile f is 2π ∫ f r dr
     { "truncated:1,60", 8.0, pi * 64.0 * Length - 2.0 * pi * cot60 * (511.0 / 3.0 - 63.0 / 2.0) },
     { "blunted:4,60", 8.0,
-      // a spherical cap of 4 mm to r = 2, then the cone with its apex 4 (1/sin 60° - 1) below
+      // a spherical cap of 4 mm up to r = 2, then the cone, whose apex is 4 (1/sin 60° - 1) below
+      // the cap
       pi * 64.0 * Length -
         (2.0 * pi * (2.0 * 4.0 - (64.0 - std::pow(12.0, 1.5)) / 3.0) +
           2.0 * pi * (cot60 * 504.0 / 3.0 - 4.0 * (2.0 / std::sqrt(3.0) - 1.0) * 60.0 / 2.0)) },
     { "rounded:3,4", 8.0,
-      // (r-3)²/8: ∫ s² (s+3) ds / 8 over s = 0..5
+      // f = (r-3)²/8, with s = r - 3: ∫ s² (s+3) ds / 8 over s = 0..5
       pi * 64.0 * Length - 2.0 * pi * (625.0 / 4.0 + 125.0) / 8.0 },
     { "power:3,0.01", 8.0, pi * 64.0 * Length - 2.0 * pi * 0.01 * std::pow(8.0, 5) / 5.0 },
     { "profile:0,0;2,0.5;6,6.5", 6.0,
-      // slopes 1/4 to r = 2, then 3/2
+      // slope 1/4 up to r = 2, then 3/2
       pi * 36.0 * Length - 2.0 * pi * (0.25 * 8.0 / 3.0 + 1.5 * 208.0 / 3.0 - 2.5 * 32.0 / 2.0) } };
   for (const Case& wanted : cases)
   {
@@ -123,8 +127,8 @@ void checkShapes()
     PALPATE_CHECK(messages.none() && geometry->GetNumberOfCells() > 64);
     checkPoints(geometry, tool, wanted.outer);
     checkClosed(geometry);
-    // 64 facets around have sin(2π/64)/(2π/64) = 0.9984 of the circle's area. The chords of the
-    // profile remove up to 1e-3 more from the part of the tip.
+    // 64 facets around the axis have sin(2π/64)/(2π/64) = 0.9984 of the circle's area. The chords
+    // of the profile remove up to 1e-3 more from the volume of the tip.
     PALPATE_CHECK_NEAR(checkNormals(geometry) / wanted.volume, 0.9984, 5e-4);
     const double* bounds = geometry->GetBounds();
     PALPATE_CHECK_NEAR(bounds[4], 0.0, 1e-6);
@@ -134,7 +138,7 @@ void checkShapes()
   }
 }
 
-/// Corners of the profile are rings of points.
+/// Each corner of the profile is a ring of points.
 void checkCorners()
 {
   const struct
@@ -163,7 +167,7 @@ void checkCorners()
   }
 }
 
-/// The profile of a steep cone would reach the length before the radius, so the shaft begins lower.
+/// The profile of a steep cone reaches the length before the radius, so its shaft begins lower.
 void checkSteep()
 {
   const auto tool = makeTool("cone:5");
@@ -193,7 +197,7 @@ void checkErrors()
   source->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Maximum Radius");
   PALPATE_CHECK(source->GetOutput()->GetNumberOfPoints() == 0);
-  source->SetMaximumRadius(1e300); // as from a body with a damaged coordinate
+  source->SetMaximumRadius(1e300); // a size as from a body with a damaged coordinate
   source->SetLength(1e300);
   source->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "no surface");
@@ -201,7 +205,7 @@ void checkErrors()
   source->SetMaximumRadius(8.0);
   source->Update();
   PALPATE_CHECK(messages.none() && source->GetOutput()->GetNumberOfPoints() > 0);
-  tool->SetRadius(2.0); // a change of the tool changes the geometry
+  tool->SetRadius(2.0); // a change of the tool must change the geometry
   source->Update();
   PALPATE_CHECK_NEAR(source->GetOutput()->GetBounds()[1], 2.0, 1e-5);
 }

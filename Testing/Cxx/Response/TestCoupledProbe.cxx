@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips that press at the same time and are coupled, tips with an axis, the coupling arrays of a
-// response, and the messages on invalid input.
+// Coupled tips that press at the same time, tips with an axis, the coupling arrays of a response,
+// and the messages on invalid input.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -22,12 +22,12 @@ using namespace palpate::testing;
 using palpate::NotANumber;
 using palpate::Pi;
 
-constexpr double Modulus = 0.5 / (1.0 - 0.45 * 0.45); // E* of the plane
+constexpr double Modulus = 0.5 / (1.0 - 0.45 * 0.45); // E* of the plane, MPa
 constexpr double Flat = 2.0;
 
 using Response = vtkSmartPointer<vtkToolContactResponse>;
 
-/// A flat end of 2 mm on a half-space of 0.5 MPa, or a layer.
+/// Response of a flat end of 2 mm on a half-space of 0.5 MPa, or on a layer of the given thickness.
 Response coupledResponse(vtkPolyData* body, double layer = 0.0)
 {
   Response response = filterOf(body, "flat:2", 1.0);
@@ -89,8 +89,8 @@ double forceOf(vtkToolContactProbe* probe, vtkIdType tip)
   return probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(tip);
 }
 
-/// Force on the first of two flat ends at the distance r, pressed by d1 and d2: solves the linear
-/// system.
+/// Force on the first of two flat ends at the distance r, with the depths d1 and d2, from the
+/// linear system of both.
 double firstOfTwo(double r, double d1, double d2)
 {
   const double own = 1.0 / (2.0 * Modulus * Flat);
@@ -105,7 +105,7 @@ void checkSinglePoints()
   const std::vector<Tip> tips = { { 1.1, 2.3, 0.5, 0.0 }, { 7.1, 2.3, 0.4, 0.0 },
     { 1.1, 2.3, 0.3, 2.5 }, { 9.1, 2.3, 0.5, 2.5 }, { 5.0, 5.2, 0.25, NotANumber } };
   {
-    // Without Time both press at the same time; floats.
+    // Without Time both tips press at the same time. The curves are stored as floats.
     const auto probe = probeOf(response->GetOutput(), tipsOf({ tips[0], tips[1] }));
     probe->Update();
     PALPATE_CHECK_NEAR(forceOf(probe, 0), firstOfTwo(6.0, 0.5, 0.4), 1e-6);
@@ -136,7 +136,8 @@ void checkPolylines()
 {
   Response response = coupledResponse(planeBody(30.0, 12));
   response->Update();
-  // The second tip comes later and is 0.2 deeper at each step. Without Time both start together.
+  // The second tip begins 1 s later and is 0.2 mm deeper at each step. Without Time both begin at
+  // the same time.
   const std::vector<Tip> tips = { { 1.1, 2.3, 0.3, 0.0 }, { 1.1, 2.3, 0.4, 1.0 },
     { 1.1, 2.3, 0.5, 2.0 }, { 7.1, 2.3, 0.5, 1.0 }, { 7.1, 2.3, 0.6, 2.0 },
     { 7.1, 2.3, 0.7, 3.0 } };
@@ -174,7 +175,7 @@ void checkPolylines()
 
 void checkLayersAndVaryingBodies(const std::string& directory)
 {
-  // On a bonded layer, three thicknesses apart: the surface bulges under the other tip.
+  // On a bonded layer, at a distance of three thicknesses, the surface bulges next to each tip.
   Response layer = coupledResponse(planeBody(30.0, 12), 3.0);
   layer->Update();
   const auto probe =
@@ -185,7 +186,7 @@ void checkLayersAndVaryingBodies(const std::string& directory)
   probe->Update();
   PALPATE_CHECK(together > forceOf(probe, 0) && together < 1.02 * forceOf(probe, 0));
 
-  // Modulus and thickness of each point; a body file restores them to the bit.
+  // Modulus and thickness per point. A file restores them to the bit.
   Body plane = planeBody(30.0, 12);
   vtkNew<vtkDoubleArray> young;
   young->SetName("E");
@@ -222,7 +223,7 @@ void checkLayersAndVaryingBodies(const std::string& directory)
   palpate::ResponseArrays arrays;
   PALPATE_CHECK(palpate::viewResponse(varied->GetOutput(), "Response", arrays, error));
   PALPATE_CHECK_NEAR(static_cast<double>(arrays.coupling.localModulus[5]) * (1.0 - 0.45 * 0.45),
-    young->GetValue(5), 1e-6); // floats
+    young->GetValue(5), 1e-6); // 1e-6: stored as floats
   PALPATE_CHECK_NEAR(
     static_cast<double>(arrays.coupling.localThickness[5]), thickness->GetValue(5), 1e-6);
   PALPATE_CHECK(arrays.coupling.modeCount == 2 && arrays.coupling.knots);
@@ -336,7 +337,7 @@ void checkAxes()
     probe->SetCoupled(together);
     probe->Update();
     vtkPointData* felt = probe->GetOutput()->GetPointData();
-    // For an axis along the normal there is no tilt, and no torque about the tip of a round tool.
+    // An axis along the normal means no tilt, and no torque about the tip of a round tool.
     PALPATE_CHECK(felt->GetArray("Torque")->GetNumberOfComponents() == 3);
     PALPATE_CHECK_NEAR(felt->GetArray("Torque")->GetMaxNorm(), 0.0, 1e-9);
     PALPATE_CHECK_NEAR(felt->GetArray("Tilt")->GetTuple1(0), 0.0, 1e-5);

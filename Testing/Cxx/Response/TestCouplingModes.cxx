@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fingers on bodies that bend: two on a strip held at one end, against beam theory, and opposite
-// ones on a plate held at its rim, against its solution under one of them.
+// Two fingers on bodies that bend: on a strip held at one end, against beam theory, and on opposite
+// sides of a plate held at its rim, against the solution for one finger.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"
@@ -29,7 +29,8 @@ vtkSmartPointer<vtkElasticCompliance> solved(vtkUnstructuredGrid* grid, int mode
   return filter;
 }
 
-/// A ball of 2 mm on the body, in series with its compliance, coupled.
+/// The response of a ball of 2 mm on the body, in series with the compliance of the body, with
+/// coupling.
 Body pressed(vtkPolyData* body)
 {
   auto response = filterOf(body, "sphere:2", 1.0);
@@ -42,7 +43,7 @@ Body pressed(vtkPolyData* body)
   return response->GetOutput();
 }
 
-/// Normal forces of tips at these places, pressed together or one by one.
+/// Normal forces of two tips at these places, pressed together or one at a time.
 std::array<double, 2> forces(
   vtkPolyData* body, const std::array<std::array<double, 3>, 2>& tips, bool together)
 {
@@ -95,12 +96,13 @@ void checkStrip()
   const std::array<double, 3> under = { 15.0, 2.0, 0.0 };
   const auto at = [body](const std::array<double, 3>& x)
   { return body->FindPoint(x[0], x[1], x[2]); };
-  // A beam seven times as long as thick, whose end the elements do not clamp completely: 3 %.
+  // 3 %: the beam is only seven times as long as thick, and the elements do not clamp its end
+  // completely.
   PALPATE_CHECK_NEAR(between(body, at(near), at(far)) / beam(15.0, 27.0), 1.0, 0.03);
   PALPATE_CHECK_NEAR(between(body, at(under), at(far)) / beam(15.0, 27.0), -1.0, 0.03);
 
-  // The two dents are small compared with the bending: C F = δ by the beam. Hertz's dents reduce
-  // the stiffness by their share of the depth, some per cent.
+  // The two dents are small compared with the bending, which by beam theory is C F. Hertz's dents
+  // add a few per cent of the depth.
   const Body whole = pressed(body);
   const double depth = 0.2;
   const std::array<std::array<double, 3>, 2> tips = { { { 27.0, 2.0, 4.0 - depth },
@@ -114,16 +116,16 @@ void checkStrip()
   const auto dent = [reduced](double force)
   {
     return force > 0.0 ? std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0)
-                       : 0.0; // by Hertz
+                       : 0.0; // Hertz's law
   };
   PALPATE_CHECK_NEAR(alone[0] * c11 + dent(alone[0]), depth, 0.04 * depth);
   PALPATE_CHECK_NEAR(alone[1] * c22 + dent(alone[1]), depth, 0.04 * depth);
-  // The tip near the support holds the far one up: alone it would lower the surface under the other
-  // by more.
+  // The tip near the support lowers the strip below the tip at the end, which therefore has no
+  // force.
   PALPATE_CHECK(c12 * alone[0] < depth && c12 / c22 * depth > depth);
   PALPATE_CHECK(felt[0] == 0.0);
   PALPATE_CHECK_NEAR(felt[1], alone[1], 1e-9);
-  // At the end the tip is deeper than the other one bends the strip: both press.
+  // Here the tip at the end is deeper than the bending by the other tip, so both press.
   const std::array<std::array<double, 3>, 2> both = { { { 27.0, 2.0, 3.5 }, { 15.0, 2.0, 3.8 } } };
   const auto pair = forces(whole, both, true);
   PALPATE_CHECK(pair[0] > 0.0 && pair[1] > 0.0);
@@ -147,14 +149,16 @@ void checkPlate()
   vtkPolyData* body = filter->GetOutput();
   std::cout << "plate: modes neglect " << filter->GetNeglectedByCouplingModes() << std::endl;
   PALPATE_CHECK(filter->GetNeglectedByCouplingModes() < 0.1);
-  // The full solution under the upper finger gives the motion at the lower one: outwards.
+  // The full solution under the upper finger gives the motion at the lower finger, which is
+  // outward.
   const double moved =
     body->GetPointData()->GetArray("LoadedDisplacement")->GetComponent(bottom, 2);
   PALPATE_CHECK(moved < 0.0);
   PALPATE_CHECK_NEAR(
-    between(body, top, bottom) / moved, 1.0, 0.1); // the part that the modes neglect
+    between(body, top, bottom) / moved, 1.0, 0.1); // tolerance: the part that the modes neglect
 
-  // Opposite fingers bend nothing: each presses as on a body held there.
+  // Opposite fingers do not bend the plate. Each presses as on a plate that is held below the
+  // finger.
   const Body whole = pressed(body);
   const std::array<std::array<double, 3>, 2> tips = { { { 8.0, 8.0, 1.8 }, { 8.0, 8.0, 0.2 } } };
   const auto felt = forces(whole, tips, true);
@@ -163,20 +167,21 @@ void checkPlate()
   const double reduced = Young / (1.0 - Poisson * Poisson);
   const auto local = [reduced](double force)
   { return std::pow(0.75 * force / (reduced * std::sqrt(2.0)), 2.0 / 3.0); };
-  // In closed form, by Hertz and the compliances: δ = δ(F) + (C_11 + C_12) F, with C_12 from the
-  // modes. Floats, and curves between eight samples.
+  // Closed form by Hertz and the compliances: δ = δ(F) + (C_11 + C_12) F, with C_12 from the modes.
+  // The tolerance covers floats and curves between eight samples.
   const double modes = between(body, top, bottom);
   PALPATE_CHECK_NEAR(local(alone[0]) + compliance * alone[0], 0.2, 0.002);
   PALPATE_CHECK_NEAR(local(felt[0]) + (compliance + modes) * felt[0], 0.2, 0.002);
-  // By the full solution it would be more: C_11 + C_12 is the difference of two large numbers.
+  // With C_12 of the full solution the force would be larger, because C_11 + C_12 is the difference
+  // of two large numbers.
   PALPATE_CHECK(local(felt[0]) + (compliance + moved) * felt[0] < 0.2);
   PALPATE_CHECK_NEAR(felt[0], felt[1], 0.02 * felt[0]); // the plate is symmetric
   PALPATE_CHECK(felt[0] > 3.0 * alone[0]);
 }
 
-// Modes with a larger compliance than the body, for example those of another body, would let two
-// opposite fingers sink in without limit. Their effect is limited to the compliance of the response
-// itself.
+// Modes with a larger compliance than the body, for example the modes of another body, would let
+// two opposite fingers sink in without limit. The effect of the modes is limited to the compliance
+// of the response.
 void checkModesThatDoNotFit()
 {
   Body box = boxBody(5.0, 5.0, 1.0, 8);
@@ -195,8 +200,8 @@ void checkModesThatDoNotFit()
   vtkDataArray* kept = whole->GetPointData()->GetArray("ResponseCouplingModes");
   const vtkIdType top = whole->FindPoint(0.0, 0.0, 1.0);
   const vtkIdType bottom = whole->FindPoint(0.0, 0.0, -1.0);
-  // 0.2 mm/N, plus a third of the dent's compliance at the last sample: Hertz, 2E*a, where a is at
-  // most that of the depth.
+  // 0.2 mm/N, plus a third of the dent's compliance at the last sample: 2E*a by Hertz, where a is
+  // at most that at the depth.
   const double square = kept->GetTuple1(top) * kept->GetTuple1(top);
   const double dent = 0.5 * (1.0 - Poisson * Poisson) / Young;
   PALPATE_CHECK(square > 0.2 && square < 0.2 + 1.5 * dent);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body with layers: that of a layer with the thickness at the contact.
+// The displacement field of a body with layers is that of a layer with the thickness at the
+// contact.
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"
 #include "Mechanics/Layers/LayerSurface.h"
@@ -70,7 +71,8 @@ void checkThickness()
 {
   Touched touched;
   touch(touched, "sphere:5", 0, [](double) { return 3.0; });
-  expectLayer(touched, 3.0, palpate::LayerBase::Bonded, 2e-7 * Depth); // floats
+  // tolerance: stored as floats
+  expectLayer(touched, 3.0, palpate::LayerBase::Bonded, 2e-7 * Depth);
   Touched slipping;
   touch(slipping, "blunted:2,60", 1, [](double) { return 4.0; });
   const auto kernel =
@@ -82,7 +84,8 @@ void checkThickness()
   PALPATE_CHECK_NEAR(displacement(slipping.field, 0)[2], -surface.at(r).normal, 2e-7 * Depth);
 }
 
-/// 1/h is interpolated over the triangle of the contact; exact for h = 1/(0.3 + 0.02 x).
+/// 1/h is interpolated linearly over the triangle of the contact, which is exact for h = 1/(0.3 +
+/// 0.02 x).
 void checkVaryingThickness()
 {
   Touched touched;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The displacement field of a body with a global deflection: its modes and the part of the tool;
-// and a field with a given end.
+// The displacement field of a body with a global deflection: the modes plus the tool's own field.
+// Also a field with a given end.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "ProbedTips.h"
@@ -18,7 +18,8 @@ constexpr double Depth = 1.5;
 constexpr double Force = 8.0;
 constexpr double Here[3] = { 0.13, -0.21, 0.0 };
 
-/// Modes linear in x and y, so that their value at the contact is exact; sqrt(mm/N).
+/// Modes that are linear in x and y, so that their interpolated value at the contact is exact;
+/// sqrt(mm/N).
 void mode(int k, const double x[3], double phi[3])
 {
   phi[0] = k == 0 ? 0.05 + 0.01 * x[1] : -0.02;
@@ -121,12 +122,14 @@ void checkModes(int modes)
     const auto found = displacement(filter, i);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      PALPATE_CHECK_NEAR(found[c], expected[c], 1e-6 * Depth); // floats: modes, sums
+      // the modes and their sums are floats
+      PALPATE_CHECK_NEAR(found[c], expected[c], 1e-6 * Depth);
     }
   }
 }
 
-/// With a given distance: exact within three quarters of it, zero beyond it, and falling between.
+/// With a given distance the field is exact within three quarters of it, zero beyond it, and falls
+/// in between.
 void checkEnd()
 {
   constexpr double End = 6.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The displacement field on a body of true shape, against finite elements under the same force on a
 // patch (vtkElasticCompliance, without any subtraction): near an edge, over a nodule, on a layer,
-// on a column that bends; its messages on invalid arrays; and its result without these arrays.
+// on a column that bends. Also the messages on invalid arrays, and the field without these arrays.
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 #include "ProbedTips.h"
@@ -34,7 +34,7 @@ struct Press
   double depth;
 };
 
-/// The displacement field of a press, and that of finite elements.
+/// The displacement field of a press, and the field of finite elements.
 struct Drawn
 {
   Body body;
@@ -96,8 +96,8 @@ Drawn draw(const Press& press)
   return drawn;
 }
 
-/// Root mean square error of the displayed field along the normal, over the deflection. It includes
-/// the points with a similar normal at distances between `from` and `to` from the contact.
+/// Root mean square error of the field along the normal, divided by the deflection. It includes the
+/// points with a similar normal at distances between `from` and `to` from the contact.
 double wrongBetween(
   const Press& press, const Drawn& drawn, vtkDataArray* field, double from, double to)
 {
@@ -121,7 +121,8 @@ double wrongBetween(
   return std::sqrt(sum / count);
 }
 
-/// The field of a half-space at the whole depth, which is displayed without the arrays.
+/// The field of a half-space at the whole depth, which is used if the body has no arrays for its
+/// shape.
 vtkSmartPointer<vtkDataArray> ofHalfSpace(const Press& press, const Drawn& drawn)
 {
   vtkNew<vtkPolyData> plain;
@@ -133,7 +134,7 @@ vtkSmartPointer<vtkDataArray> ofHalfSpace(const Press& press, const Drawn& drawn
   return field->GetOutput()->GetPointData()->GetArray("ContactDisplacement");
 }
 
-/// Beyond two contact radii a patch of the same force moves the surface like the tool: the
+/// Beyond two contact radii a patch of the same force moves the surface as the tool does: the
 /// difference is (a/r)²/6 of the dent, at most 1.5 % of the depth. The other errors are those of
 /// the field itself: a quadratic approximation, and the part that few modes neglect for a body
 /// bonded along a side.

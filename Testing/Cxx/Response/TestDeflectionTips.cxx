@@ -26,19 +26,19 @@ void checkTips()
     PALPATE_CHECK(displacement(filter, 0)[2] == -depth); // under a flat punch u_z is the depth
     PALPATE_CHECK(isZero(displacement(filter, 100)) == (depth == 0.0));
   }
-  filter->SetTipData(Body::New()); // no tips: no contact
+  filter->SetTipData(Body::New()); // without tips there is no contact
   filter->Update();
   PALPATE_CHECK(isZero(displacement(filter, 0)));
   PALPATE_CHECK(filter->GetOutput()->GetPoints() == body->GetPoints());
 }
 
-/// Bodies that share triangles but not points, used in turn.
+/// Bodies that have the same triangles but different points, used in turn.
 void checkSharedTriangles()
 {
   const Body first = planeBody(8.0, 16);
   const Body second = planeBody(4.0, 16);
   second->SetPolys(first->GetPolys());
-  first->GetPolys()->Modified(); // now the newest part of both bodies
+  first->GetPolys()->Modified(); // makes the triangles newer than both bodies
   const auto tool = makeTool("flat:1");
   auto filter =
     makeFilter(first, makeTips({ { 0, 0.5, { -4.0, -4.0, 0.0 }, { 0.0, 0.0, 1.0 } } }), tool);
@@ -90,7 +90,7 @@ void checkErrors()
   PALPATE_CHECK_TEXT(fromTool.errors(), "-2");
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   messages.clear();
-  tool->SetRadius(2.0); // noticed without another call
+  tool->SetRadius(2.0); // the filter must notice the change without another call
   filter->Update();
   PALPATE_CHECK(messages.none() && displacement(filter, 0)[2] == -0.5);
 }
@@ -98,7 +98,7 @@ void checkErrors()
 void checkComplianceWarning()
 {
   const Body body = withResponse(planeBody(8.0, 2), "flat:2");
-  // As in an older file: only the text.
+  // A body as in an older file has only the text.
   body->GetFieldData()->RemoveArray("ResponseModelParts");
   vtkStringArray::SafeDownCast(body->GetFieldData()->GetAbstractArray("ResponseModel"))
     ->SetValue(0, "half-space in series with global compliance");
@@ -108,7 +108,7 @@ void checkComplianceWarning()
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK_TEXT(messages.warnings(), "global compliance", "local");
-  messages.clear(); // reported once, not at each frame of a live display
+  messages.clear(); // reported once, not for each frame of a live display
   filter->Modified();
   filter->Update();
   PALPATE_CHECK(messages.none() && displacement(filter, 0)[2] == -0.5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every filter that runs in threads, or whose kernel does, gives identical bits in all outputs with
-// 1, 2 and 8 threads. The bodies are large enough that each of eight threads gets a share.
+// 1, 2 and 8 threads. The bodies are so large that each of eight threads has work.
 #include "FilterChecks.h"
 #include "ManyCores.h"
 #include "MeasuredFiles.h"
@@ -25,7 +25,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Radius = 40.0; // mm, of the ball
+constexpr double Radius = 40.0; // radius of the ball, mm
 constexpr int Points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
 void addArrays(std::string& bytes, vtkFieldData* arrays)
@@ -47,7 +47,7 @@ void addArrays(std::string& bytes, vtkFieldData* arrays)
   }
 }
 
-/// Points, triangles and arrays of all kinds.
+/// The bytes of points, triangles and all arrays.
 std::string bytesOf(vtkPolyData* body)
 {
   std::string bytes;
@@ -61,7 +61,8 @@ std::string bytesOf(vtkPolyData* body)
   return bytes;
 }
 
-/// make() returns a new filter; `array` names an array of its output.
+/// Compares the outputs of new filters from make(). `array` names an array that their output must
+/// have.
 template <class Make>
 void check(const std::string& name, const char* array, const Make& make)
 {
@@ -99,7 +100,8 @@ vtkSmartPointer<Filter> filterOf(vtkPolyData* body)
   return filter;
 }
 
-/// A ball of fat over bone, 6 to 8 mm thick, in air; 1 mm voxels, grey values as in MRI.
+/// A scan of a ball in air, with fat 6 to 8 mm thick over bone; voxels of 1 mm, grey values as in
+/// MRI.
 vtkSmartPointer<vtkImageData> makeScan()
 {
   auto scan = vtkSmartPointer<vtkImageData>::New();
@@ -122,10 +124,10 @@ vtkSmartPointer<vtkImageData> makeScan()
   return scan;
 }
 
-/// A ball with a different modulus, thickness and compliance at each point.
+/// A ball with another modulus, thickness and compliance at each point.
 Body mappedBall()
 {
-  Body body = sphereBody(Radius, 6); // 40962 points
+  Body body = sphereBody(Radius, 6); // a ball of 40962 points
   const auto wave = [&](double rate)
   {
     return [body, rate](vtkIdType i)
@@ -230,7 +232,7 @@ void checkElastic()
     });
 }
 
-/// A path around the ball, in contact, as one history.
+/// A path in contact around the ball, as one history.
 Body pathAround()
 {
   Body tips = Body::New();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Direct contact on parts cut out of a body: a bar that bends, pressed in the middle and half over
-// its edge, against the same tool on one fine mesh of the whole bar; a bonded layer against the
-// exact law; unchanged results; threads, abort, errors.
+// Direct contact on parts cut out of a body: a bending bar, pressed in the middle and across its
+// edge, against the same tool on one fine mesh of the whole bar; a bonded layer against the exact
+// law; points that keep their results; threads, abort, errors.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -85,8 +85,8 @@ vtkSmartPointer<vtkContactTool> tool()
   return made;
 }
 
-/// The surface with the law of a half-space and a stated error of one half, to be pressed only at
-/// the given places.
+/// The surface with the law of a half-space and a stated error of one half. Only the points at the
+/// given places are chosen.
 Surface felt(vtkPolyData* surface, const std::vector<Place>& places)
 {
   vtkNew<vtkToolContactResponse> law;
@@ -132,7 +132,7 @@ double value(vtkPolyData* surface, const char* name, Place at, int component)
     surface->FindPoint(at.data()), component < 0 ? array->GetNumberOfComponents() - 1 : component);
 }
 
-/// The force on one fine mesh of the whole body.
+/// The force from one fine mesh of the whole body.
 double whole(vtkPolyData* surface, const char* held, const Place& place, const Place& inward)
 {
   const Grid grid = filled(surface, 2.0, held, &place);
@@ -168,12 +168,12 @@ double whole(vtkPolyData* surface, const char* held, const Place& place, const P
       contact.at(Depth, palpate::Pushed::EachAlongItsOwn).force);
 }
 
-/// A bar held at one end. In the middle of its top it bends more than it dents. At 0.75 mm from the
-/// edge the contact of 1.2 mm extends beyond it; the law of a half-space has an error of one half
-/// there.
+/// A bar held at one end. In the middle of its top its bending is larger than the dent. At 0.75 mm
+/// from the edge the contact of 1.2 mm extends beyond the edge, where the law of a half-space has
+/// an error of one half.
 void checkBar()
 {
-  const Surface surface = box(48.0, 12.0, 12.0, 4); // 1 mm of it is held
+  const Surface surface = box(48.0, 12.0, 12.0, 4); // 1 mm of the bar is held
   const char* held = "x-:1";
   const Place middle{ 6.0, 0.0, 6.0 };
   const Place edge{ 6.0, 5.25, 6.0 };
@@ -193,13 +193,14 @@ void checkBar()
     const double force = value(after, "ResponseForce", place, -1);
     const double brute = whole(surface, held, place, down);
     PALPATE_CHECK(std::abs(value(before, "ResponseForce", place, -1) / brute - 1.0) > 0.3);
-    // Two meshes with four facets over the radius: 1 % each, and the bar's bending in coarse cells.
+    // Two meshes with four facets over the contact radius have an error of 1 % each. The bending of
+    // coarse cells adds to it.
     PALPATE_CHECK_NEAR(force / brute, 1.0, 0.03);
     const double stated = value(after, "ResponseError", place, -1);
     PALPATE_CHECK(stated >= 0.01 && stated < 0.08);
     PALPATE_CHECK(value(after, "ResponseDirect", place, 0) == 1.0);
     PALPATE_CHECK_NEAR(value(after, "ResponseRange", place, 0), Depth, 1e-6);
-    // The stiffness belongs to the force: between the last two of eight samples it is their slope.
+    // The stiffness is the slope of the force, checked between the last two of eight samples.
     const double rise = force - value(after, "ResponseForce", place, 6);
     const double mean = 0.5 *
       (value(after, "ResponseStiffness", place, 6) + value(after, "ResponseStiffness", place, 7));
@@ -223,8 +224,8 @@ void checkBar()
   checkAborted(press(felt(surface, { edge }), body, coarser, held).Get(), 0.03);
 }
 
-/// On a bonded layer, from which the part is cut out on four sides. Reference: the exact law, and
-/// the effect of finite strain from the axisymmetric solver's tables.
+/// A bonded layer, from which the part is cut out on four sides. Reference: the exact law, and the
+/// factor of finite strain from the axisymmetric solver's tables.
 void checkLayer()
 {
   constexpr double thickness = 3.0;
@@ -254,7 +255,7 @@ void checkLayer()
   {
     const double depth = Depth * (k + 1) * (k + 1) / 64.0;
     const double force = value(filter->GetOutput(), "ResponseForce", middle, k);
-    // The error of the contact itself is 1 %, more for a smaller contact with fewer facets.
+    // The error of the contact is 1 %, more for a smaller contact with fewer facets.
     const double expected = exact.evaluate(depth, modulus).force;
     PALPATE_CHECK_NEAR(force / expected, 1.0, 0.025);
     const double factor = strain->at(depth, Poisson, thickness).factor;
@@ -264,9 +265,8 @@ void checkLayer()
   }
 }
 
-/// A ball whose lowest millimetre is held. A tool pressed obliquely from below, next to it, reaches
-/// the held part before the full depth. The point keeps its response, and the filter reports the
-/// reason.
+/// A ball whose lowest millimetre is held. A tool that presses obliquely near the held part reaches
+/// it before the full depth. The point keeps its response, and the filter reports the reason.
 void checkHeld()
 {
   vtkNew<vtkSphereSource> ball;
@@ -327,13 +327,13 @@ void checkErrors()
   filter = press(before, body, coarser, "z-");
   filter->SetYoungsModulus(-1.0);
   wrong(filter, { "Young's Modulus", "-1" });
-  // If every error is within the tolerance, nothing is pressed, and the solids are not used.
+  // If every error is within the tolerance, no point is pressed, and the solids are not used.
   filter = press(before, body, coarser, "z-");
   filter->SetErrorTolerance(1.0);
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfPresses() == 0);
   PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == before->GetNumberOfPoints());
-  // An error at a depth larger than the requested one does not count.
+  // An error at a depth larger than the requested depth has no effect.
   vtkDataArray* error = before->GetPointData()->GetArray("ResponseError");
   error->FillComponent(error->GetNumberOfComponents() - 1, 1.0);
   error->Modified();

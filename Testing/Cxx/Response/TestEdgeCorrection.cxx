@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sharp edges in a response: the attached arrays, their effect on a probe, on the error and on the
-// chooser, and their treatment in files and other forms.
+// Sharp edges in a response: their arrays, their effect on a probe, on the error and on the chosen
+// terms, and their treatment in files and other forms.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -23,10 +23,10 @@ using namespace palpate::testing;
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
 constexpr double Reduced = 0.1 / (1.0 - 0.45 * 0.45);
-constexpr double Half = 100.0; // of the block, mm: the other edges are out of reach
+constexpr double Half = 100.0; // half side of the block, mm: the other edges are out of reach
 
-/// A tip pressed 1 mm into the upper face 20 mm from its edge x = Half, then moved along x over the
-/// edge.
+/// A path of a tip: pressed 1 mm into the upper face at 20 mm from its edge x = Half, then moved
+/// along x over the edge.
 vtkSmartPointer<vtkPolyData> over(double depth, double beyond, int steps)
 {
   auto tips = vtkSmartPointer<vtkPolyData>::New();
@@ -109,8 +109,8 @@ void checkTerms(vtkPolyData* box)
   PALPATE_CHECK_NEAR(edgesOf(layer->GetOutput())->GetComponent(0, 3), 6.0, 1e-9);
 }
 
-/// Off by default. The correction does not change the curves, and a sharp edge is no curvature of
-/// the faces: those of a box are flat.
+/// The correction is off by default. It does not change the curves, and a sharp edge does not count
+/// as curvature of the faces, which are flat on a box.
 void checkOff(vtkPolyData* box)
 {
   const Filter off = filterOf(box, "sphere:5", 1.0);
@@ -125,7 +125,7 @@ void checkOff(vtkPolyData* box)
   bool isSame = true;
   for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
   {
-    constexpr double rounding = 1e-6; // of float32 normals
+    constexpr double rounding = 1e-6; // rounding of float32 normals
     isSame =
       isSame && std::abs(one->GetComponent(i, 7) / other->GetComponent(i, 7) - 1.0) < rounding;
   }
@@ -141,7 +141,7 @@ void checkForce(vtkPolyData* box)
   const vtkIdType last = forces->GetNumberOfTuples() - 1;
   PALPATE_CHECK(largestJump(forces) < 1e-3 * far);
   PALPATE_CHECK(forces->GetComponent(last, 2) == 0.0);
-  // Hetényi, ν = 0.45: Φ(0) = 0.3547, χ(0) = 0.1482 a₀/δ (Data/Reference/edges).
+  // Hetényi at ν = 0.45: Φ(0) = 0.3547, χ(0) = 0.1482 a₀/δ (Data/Reference/edges).
   const vtkIdType atEdge = 20 + 20000;
   PALPATE_CHECK_NEAR(tips->GetPoint(atEdge)[0], Half, 1e-6);
   PALPATE_CHECK_NEAR(forces->GetComponent(atEdge, 2) / far, 0.3547, 4e-3);
@@ -165,7 +165,7 @@ void checkErrorAndChoice()
   const double without = errorBeside(false);
   const double with = errorBeside(true);
   PALPATE_CHECK(with < 0.5 * without);
-  PALPATE_CHECK(with > 0.01); // the remaining error
+  PALPATE_CHECK(with > 0.01); // a part of the error remains
 
   const auto reasonOn = [](vtkPolyData* body)
   {
@@ -181,7 +181,7 @@ void checkErrorAndChoice()
   PALPATE_CHECK_TEXT(reasonOn(sphereBody(10.0, 3)), "no sharp edge");
 }
 
-/// Kept in a file, in the compact form, and with a global compliance.
+/// The correction is kept in a file, in the compact form, and with a global compliance.
 void checkKept(vtkPolyData* box, const std::string& folder)
 {
   const Filter filter = withEdges(box, "cone:60", 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkElasticCompliance: its output, its arrays to process, both solvers, its errors, abort.
-// Accuracy: TestElasticComplianceLayer, TestElasticCompliancePlate.
+// vtkElasticCompliance: its output, its arrays to process, both solvers, errors, abort. Accuracy:
+// TestElasticComplianceLayer, TestElasticCompliancePlate.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "VolumeBlock.h"
@@ -88,12 +88,12 @@ void checkOutput()
     PALPATE_CHECK(std::isfinite(data->GetArray("GlobalCompliance")->GetTuple1(i)));
     valid += data->GetArray("ComplianceStatus")->GetTuple1(i) == 0 ? 1 : 0;
   }
-  // Patches of 0.75 and 1.5 mm. Their outermost force is at 0.94 of that radius: two points from an
-  // edge. On top there are 3 × 3 valid points; on a side none, since its lowest row of faces is on
-  // fixed points.
+  // Patches of 0.75 and 1.5 mm. Their outermost force is at 0.94 of the radius, so a valid point is
+  // two points from an edge. The top has 3 × 3 valid points. A side has none, because its lowest
+  // row of faces has fixed points.
   PALPATE_CHECK(valid == 9);
   const vtkIdType top = surface->vtkDataSet::FindPoint(3.0, 3.0, 4.0);
-  PALPATE_CHECK(data->GetArray("GlobalCompliance")->GetTuple1(top) < 0.0); // base 4 mm below
+  PALPATE_CHECK(data->GetArray("GlobalCompliance")->GetTuple1(top) < 0.0); // the base is 4 mm below
 }
 
 void checkKindsAndSolvers()
@@ -116,7 +116,7 @@ void checkKindsAndSolvers()
       PALPATE_CHECK_TEXT(messages.takeErrors(), "CHOLMOD");
       continue;
     }
-    // The solvers differ by rounding times the condition of the matrix: 1e-9 is guaranteed.
+    // The solvers differ by rounding times the condition number; 1e-9 is guaranteed.
     PALPATE_CHECK(largestDifference(expected, values(other)) < 1e-9 * scale);
   }
 }
@@ -137,7 +137,7 @@ void checkMaterialArrays()
   const std::vector<double> expected = values(constant);
   PALPATE_CHECK(largestDifference(expected, values(arrays)) < 1e-12 * largest(expected));
   arrays->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "");
-  arrays->SetYoungsModulus(0.2); // compliance is proportional to 1/E
+  arrays->SetYoungsModulus(0.2); // the compliance is proportional to 1/E
   arrays->Update();
   std::vector<double> half = values(arrays);
   for (double& x : half)
@@ -147,7 +147,8 @@ void checkMaterialArrays()
   PALPATE_CHECK(largestDifference(expected, half) < 1e-9 * largest(expected));
 }
 
-/// Betti: the motion of b (along b's load) under 1 N at a equals the motion of a under 1 N at b.
+/// Betti's theorem: the motion of b along the load at b, under 1 N at a, equals the motion of a
+/// under 1 N at b.
 void checkLoadedDisplacement()
 {
   const auto filter = makeFilter(block(8, 4));
@@ -168,11 +169,13 @@ void checkLoadedDisplacement()
   PALPATE_CHECK(moved(a, a, 1.0) < moved(a, b, 1.0) && moved(a, b, 1.0) < 0.0);
   PALPATE_CHECK_NEAR(moved(a, a, 3.0), 3.0 * moved(a, a, 1.0), 1e-9);
   const double there = moved(a, b, 1.0);
-  // Not exactly: the load acts on a patch, the motion is that of a point.
+  // The two are not exactly equal, because the load acts on a patch and the motion is that of a
+  // point.
   PALPATE_CHECK_NEAR(moved(b, a, 1.0), there, 0.1 * std::abs(there));
 }
 
-/// The error of the elements enters the force by dF/dδ; nothing else changes.
+/// The error of the elements changes the stated error of the force by dF/dδ times this error, and
+/// changes nothing else.
 void checkErrorOfForce()
 {
   const auto filter = makeFilter(block(12, 5));
@@ -202,11 +205,11 @@ void checkErrorOfForce()
   PALPATE_CHECK(errors[static_cast<std::size_t>(top)] > 0.0);
   PALPATE_CHECK(last(with, "ResponseForce") == last(without, "ResponseForce"));
   const double part = errors[static_cast<std::size_t>(top)] * last(with, "ResponseStiffness");
-  // Errors are floats, as is the stiffness. The stored law of a sphere has an error of 1e-3.
+  // Error and stiffness are stored as floats. The stored law of a sphere has an error of 1e-3.
   PALPATE_CHECK_NEAR(
     last(with, "ResponseError") - last(without, "ResponseError"), part, 2e-3 * part);
 
-  // A dominant error sets the limit; an invalid one is rejected.
+  // A dominant error of the compliance sets the limit; an invalid one is rejected.
   vtkNew<vtkDoubleArray> stated;
   stated->SetName("GlobalComplianceError");
   stated->SetNumberOfTuples(body->GetNumberOfPoints());
@@ -259,7 +262,7 @@ void checkErrors()
   grid = block(3, 3);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
-    grid->GetPointData()->GetArray("Fixed")->SetTuple1(i, i < 16 ? 4 : 0); // along z only
+    grid->GetPointData()->GetArray("Fixed")->SetTuple1(i, i < 16 ? 4 : 0); // 4: held along z only
   }
   fails(grid, nothing, { "floating", "cell 0", "3 of 6" });
 
@@ -278,7 +281,8 @@ void checkErrors()
   std::array<vtkIdType, 8> turned{};
   for (vtkIdType i = 0; i < 8; ++i)
   {
-    turned[static_cast<std::size_t>(i)] = ids->GetId((i + 4) % 8); // upside down
+    // upside down: the cell is inverted
+    turned[static_cast<std::size_t>(i)] = ids->GetId((i + 4) % 8);
   }
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, turned.data());
   fails(grid, nothing, { "cell" });

@@ -60,7 +60,7 @@ double layerError(ElementKind kind, int layers, double nu)
   return std::nan("");
 }
 
-/// Within 2 % (required by the reference), and of second order.
+/// The error is within 2 % (required by the reference) and of second order.
 void checkHexahedra()
 {
   for (const double nu : { 0.3, 0.45, 0.49 })
@@ -68,8 +68,8 @@ void checkHexahedra()
     const double coarse = layerError(ElementKind::Hexahedron, 4, nu);
     const double fine = layerError(ElementKind::Hexahedron, 8, nu);
     PALPATE_CHECK_NEAR(fine, 0.0, 0.02);
-    // With second order only, it would be a quarter of the coarse error. The error of the cut-out
-    // is not of second order.
+    // An error of second order only would be a quarter of the coarse error. The error of the
+    // cut-out is not of second order.
     PALPATE_CHECK(std::abs(fine) < 0.5 * std::abs(coarse));
   }
 }
@@ -82,8 +82,8 @@ void checkQuadraticTetrahedra()
   }
 }
 
-/// Deflection of the layer under a pressure as wide as the layer, by the energy of the whole body,
-/// without any self-term. A linear tetrahedron is far too stiff near ν = 0.5.
+/// Compliance of the layer under a pressure as wide as the layer, from the energy of the whole
+/// body. A linear tetrahedron is far too stiff near ν = 0.5.
 double wholeCompliance(ElementKind kind, double nu)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(8, 8, 4, 1.0);
@@ -115,9 +115,10 @@ void checkLocking()
     const double quadratic = wholeCompliance(ElementKind::QuadraticTetrahedron, nu);
     std::cout << "nu " << nu << ": hexahedra " << hexahedron << ", linear tetrahedra " << linear
               << ", quadratic " << quadratic << " mm/N" << std::endl;
-    // Quadratic tetrahedra with the same corners have eight times as many nodes: nearly exact here.
-    // The coarse hexahedra under a patch with a radius of two elements have an error of about 7 %
-    // for any ν; the linear tetrahedra 18 %, and four fifths near ν = 0.5.
+    // Quadratic tetrahedra with the same corners have eight times as many nodes and are nearly
+    // exact here. Coarse hexahedra under a patch with a radius of two elements have an error of
+    // about 7 % for any ν. Linear tetrahedra have an error of 18 %, and of four fifths near ν =
+    // 0.5.
     PALPATE_CHECK_NEAR(hexahedron / quadratic, 1.0, 0.1);
     PALPATE_CHECK(nu > 0.4 ? linear < 0.5 * quadratic : linear > 0.75 * quadratic);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The global modes of vtkElasticCompliance: their arrays; the motion of a bar under new forces,
-// computed from the contract alone; the part that six modes of a plate cannot include; errors,
-// abort. The kernel: GlobalModesTest.
+// The global modes of vtkElasticCompliance: their arrays; the motion of a bar under other forces,
+// computed from the output arrays alone; the part of a plate's motion that six modes neglect;
+// errors, abort. GlobalModesTest tests the kernel.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
 #include "VolumeBlock.h"
@@ -26,10 +26,10 @@ namespace
 using namespace palpate::testing;
 using Vector = std::array<double, 3>;
 
-constexpr int Length = 40; // of the bar, mm
+constexpr int Length = 40; // length of the bar, mm
 constexpr int Side = 4;
 
-/// length × side × side voxels of 1 mm, held at x = 0.
+/// A bar of length × side × side voxels of 1 mm, held at x = 0.
 Grid bar(int length = Length, int side = Side)
 {
   return voxels(length, side, side, [](int i, int) { return i == 0; });
@@ -48,8 +48,8 @@ vtkDataArray* pointArray(vtkPolyData* body, const std::string& name)
   return body->GetPointData()->GetArray(name.c_str());
 }
 
-/// The motion of point `at` under `force` at `pressed`, whose outward normal is given. It uses only
-/// the arrays of the output.
+/// The motion of the point `at` under `force` at the point `pressed` with the given outward normal,
+/// computed from the output arrays alone.
 Vector motion(
   vtkPolyData* body, vtkIdType pressed, const Vector& normal, double force, vtkIdType at)
 {
@@ -102,8 +102,8 @@ void checkArrays()
   }
 }
 
-/// On the sides and the bottom the dent has no effect: the modes give all of LoadedDisplacement.
-/// GlobalModesTest states the reasons for 1 % beyond half of the length and 4 % beyond a quarter.
+/// The dent has no effect on the sides and the bottom, so the modes give all of LoadedDisplacement.
+/// GlobalModesTest explains the errors of 1 % beyond half of the length and 4 % beyond a quarter.
 void checkBar()
 {
   const auto filter = makeFilter(bar(), 6);
@@ -209,7 +209,7 @@ void checkPlate()
             << 100.0 * modes.neglected << " %" << std::endl;
   PALPATE_CHECK_NEAR(held / whole, six, 0.08 + 0.02);
 
-  // The motion of the bottom under forces at the centre and half-way to the rim.
+  // Motion of the bottom under forces at the centre and half-way to the rim.
   for (const double x : { 0.0, 0.5 * radius })
   {
     std::int32_t pressed = asked.front();
@@ -240,9 +240,9 @@ void checkPlate()
     std::cout << "plate at " << x << " mm: worst " << 100.0 * error / largest << " %, r.m.s. "
               << 100.0 * std::sqrt(sum / count) / largest << " % of the largest motion"
               << std::endl;
-    // The missing part is the sharp peak of the dish, so it is largest under the force: 22 % there.
-    // Over the plate and all places of the force it is sqrt(Σ_{k>6} λ⁻⁸ / Σ λ⁻⁸) = 8 % of the root
-    // mean square, which is below the largest value.
+    // The neglected part is the sharp peak of the deflection, so it is largest under the force: 22
+    // % there. Over the plate and all places of the force it is sqrt(Σ_{k>6} λ⁻⁸ / Σ λ⁻⁸) = 8 % of
+    // the root mean square, which is below the largest value.
     PALPATE_CHECK(error < 0.22 * largest);
     PALPATE_CHECK(std::sqrt(sum / count) < 0.08 * largest);
   }
@@ -261,13 +261,13 @@ void checkErrorsAndAbort()
   }
   const auto aborted = makeFilter(bar(12), 6);
   Messages messages(aborted.Get());
-  const AbortAfter abort(aborted, 0.85); // during the solution of the modes
+  const AbortAfter abort(aborted, 0.85); // aborted during the solution of the modes
   aborted->Update();
   PALPATE_CHECK(messages.none() && aborted->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// No point of a block of 2 × 2 × 2 has a valid patch: no modes, in addition to the warning about
-/// it.
+/// No point of a block of 2 × 2 × 2 cells has a valid patch: there are no modes, and a warning
+/// states this.
 void checkBodyWithoutAny()
 {
   const auto filter = makeFilter(bar(2, 2), 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Structural compliance at the centre of a circular plate clamped at its rim, b = 30, t = 4,
-// ν = 0.3: C_g E* = 3.4516 /mm (an axisymmetric fine mesh, extrapolated; Kirchhoff's
-// b²/(16πD) E*, without shear, is 3.3572). And its deflection under the load.
+// Structural compliance at the centre of a circular plate clamped at its rim, b = 30, t = 4, ν =
+// 0.3: C_g E* = 3.4516 /mm (a fine axisymmetric mesh, extrapolated; Kirchhoff's b²/(16πD) E*,
+// without shear, is 3.3572). Also the deflection under the load.
 #include "ElasticBlocks.h"
 #include "FilterChecks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"
@@ -16,7 +16,7 @@ constexpr double Radius = 30.0;
 constexpr double Thickness = 4.0;
 constexpr double Exact = 3.4516; // C_g E*, 1/mm
 
-/// n × n × layers hexahedra; ellipses map the square to the disc.
+/// A plate of n × n × layers hexahedra; ellipses map the square to the disc.
 ElasticBodyInput plate(int n, int layers)
 {
   ElasticBodyInput input;
@@ -33,7 +33,8 @@ ElasticBodyInput plate(int n, int layers)
   return input;
 }
 
-/// C_g E* at the centre of the top, and the same for the deflection of the bottom below it.
+/// C_g E* at the centre of the top. `bottom` receives the deflection of the bottom below the
+/// centre, times E*.
 double atCentre(int n, int layers, double& bottom)
 {
   const double modulus = 5.0;
@@ -66,7 +67,8 @@ int TestElasticCompliancePlate(int, char*[])
   const double fine = atCentre(60, 4, bottom);
   PALPATE_CHECK_NEAR(fine, Exact, 0.02 * Exact); // required by the reference
   PALPATE_CHECK(std::abs(fine - Exact) < 0.5 * std::abs(coarse - Exact));
-  // The bottom is not affected by the local dent: only bending and shear, within 5 % of C_g.
+  // The local dent does not reach the bottom, so its deflection is bending and shear only, within 5
+  // % of C_g.
   PALPATE_CHECK_NEAR(bottom, Exact, 0.05 * Exact);
   return palpate::testing::result();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkElasticContactResponse: against the exact layer, over an inclusion, from one tool to the next,
-// its status, its errors, abort, threads. The kernels: Mechanics, Shaped…Test.
+// vtkElasticContactResponse: against the exact layer, over an inclusion, with a change of the tool;
+// its status, errors, abort, threads. The tests of the kernels are Shaped…Test.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
@@ -23,7 +23,7 @@ using namespace palpate::testing;
 using ElasticFilter = vtkSmartPointer<vtkElasticContactResponse>;
 
 constexpr int Side = 24;
-constexpr int Height = 4; // a layer of 4 mm in four cells
+constexpr int Height = 4; // mm: a layer of four cells
 
 ElasticFilter press(vtkUnstructuredGrid* grid, const std::string& tool)
 {
@@ -54,7 +54,8 @@ void checkLayer()
     Messages messages(filter.Get());
     filter->Update();
     PALPATE_CHECK(messages.errors().empty());
-    PALPATE_CHECK_TEXT(messages.warnings(), "no response", "ResponseStatus"); // edges and base
+    // points on edges and on the base have no response
+    PALPATE_CHECK_TEXT(messages.warnings(), "no response", "ResponseStatus");
     vtkNew<vtkToolContactResponse> exact;
     exact->SetInputData(planeBody(30.0, 8));
     exact->SetTool(makeTool(tool));
@@ -72,8 +73,8 @@ void checkLayer()
       {
         const double truth =
           exact->GetOutput()->GetPointData()->GetArray(name)->GetComponent(40, k);
-        // Four cells through the layer: 0.35 % of the force; the sides are three layers away. The
-        // stiffness is the derivative of the curve, with twice that error.
+        // Four cells through the layer have an error of 0.35 % of the force; the sides are three
+        // layers away. The stiffness, the derivative of the curve, has twice this error.
         PALPATE_CHECK_NEAR(component(filter, name, point, k), truth,
           (std::string(name) == "ResponseForce" ? 0.005 : 0.01) * truth);
       }
@@ -103,15 +104,15 @@ void checkStatus()
     PALPATE_CHECK(status == 0.0 || component(filter, "ResponseValidity", i) == 0.0);
     PALPATE_CHECK(component(filter, "ResponseRange", i) > 0.0);
   }
-  // Two cells from the edge the contact ends when it reaches the edge.
+  // Two cells from the edge the curve ends when the contact reaches the edge.
   const vtkIdType beside = surface->vtkDataSet::FindPoint(2.0, 0.5 * Side, Height);
   PALPATE_CHECK(component(filter, "ResponseStatus", beside) == 0.0);
   PALPATE_CHECK(component(filter, "ResponseForce", beside, 7) <
-    component(filter, "ResponseForce", topMiddle(filter), 7)); // a larger deflection
+    // the middle of the top reaches a larger deflection
+    component(filter, "ResponseForce", topMiddle(filter), 7));
 }
 
-/// On an edge itself, against Φ(0) of a quarter space; at another edge, with another tool and
-/// depth.
+/// A point on an edge, against Φ(0) of a quarter space; also for other tools and depths.
 void checkOnEdge()
 {
   constexpr int wide = 14;
@@ -144,8 +145,8 @@ void checkOnEdge()
   }
 }
 
-/// In the middle of a layer the law of the layer is sufficient, near an edge it is not, and that of
-/// a half-space is never. If a law is kept, the curve is that of the law.
+/// The law of the layer is sufficient in the middle but not near an edge; the law of a half-space
+/// is never sufficient. If a law is kept, the curve is that of the law.
 void checkSimplerLaw()
 {
   const Grid grid = block(Side, Height);
@@ -167,7 +168,8 @@ void checkSimplerLaw()
   const vtkIdType middle = topMiddle(chosen);
   const double law =
     exact->GetOutput()->GetPointData()->GetArray("ResponseForce")->GetComponent(40, 7);
-  // Another stored exponent: the curves agree where both have samples, at the end of the range.
+  // The stored exponents differ, so the curves are compared at the end of the range, where both
+  // have a sample.
   PALPATE_CHECK_NEAR(component(chosen, "ResponseForce", middle, 7), law, 1e-5 * law);
   PALPATE_CHECK(std::abs(component(chosen, "ResponseShapeChange", middle)) < 0.01);
   const double change = component(plain, "ResponseForce", middle, 7) / law - 1.0;
@@ -175,7 +177,8 @@ void checkSimplerLaw()
     std::abs(component(chosen, "ResponseShapeChange", middle)) >= std::abs(change) - 1e-4);
 
   const vtkIdType beside = plain->GetOutput()->vtkDataSet::FindPoint(2.0, 0.5 * Side, Height);
-  PALPATE_CHECK(component(chosen, "ResponseShapeChange", beside) < -0.02); // softer
+  // the body is softer near the edge
+  PALPATE_CHECK(component(chosen, "ResponseShapeChange", beside) < -0.02);
   PALPATE_CHECK(
     component(chosen, "ResponseForce", beside, 5) == component(plain, "ResponseForce", beside, 5));
   PALPATE_CHECK(std::isnan(component(
@@ -216,7 +219,7 @@ void checkSimplerLaw()
     component(chosen, "ResponseForce", middle, 7) == component(plain, "ResponseForce", middle, 7));
 }
 
-/// A hard cell under the surface changes the response above it, but not far away.
+/// A hard cell below the surface changes the response above it, but not far away.
 void checkInclusion()
 {
   const Grid grid = block(Side, Height);
@@ -244,7 +247,8 @@ void checkInclusion()
   PALPATE_CHECK_NEAR(ratioAt(0.5 * Side + 6.0), 1.0, 0.01);
 }
 
-/// Two thirds of the points are sources for all: half a thickness apart, and closer near the edges.
+/// Two thirds of the points are the sources for all: half a thickness apart, and closer near the
+/// edges.
 void checkSourceSpacing()
 {
   const Grid grid = block(Side, Height);
@@ -264,7 +268,8 @@ void checkSourceSpacing()
   }
 }
 
-/// The next tool needs no new solution unless its contact is wider. It gives the same as alone.
+/// A change of the tool needs no new solution unless the contact is wider. The result is the same
+/// as from a new filter.
 void checkNextTool()
 {
   const Grid grid = block(10, 3);
@@ -301,7 +306,7 @@ void checkNextTool()
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
 }
 
-/// Only some points are pressed: they have the same responses, from fewer solutions.
+/// If only some points are pressed, they have the same responses from fewer solutions.
 void checkPressed()
 {
   const Grid grid = block(12, 3);
@@ -329,9 +334,10 @@ void checkPressed()
     const double force = component(all, "ResponseForce", i, 7);
     if (isPressed && component(all, "ResponseStatus", i) == 5.0)
     {
-      continue; // on an edge: averaged from fewer neighbours
+      continue; // on an edge the curve is a mean of neighbours, which are fewer here
     }
-    // H is from fewer of the two orders of a pair of points, which differ by less than a per cent.
+    // H between two points is computed from one or both of them. The two results differ by less
+    // than a per cent.
     PALPATE_CHECK_NEAR(
       component(some, "ResponseForce", i, 7), isPressed ? force : 0.0, 0.005 * force);
   }
@@ -342,8 +348,8 @@ void checkPressed()
   PALPATE_CHECK_TEXT(messages.errors(), "Pressed", "0");
 }
 
-/// A plane of half-millimetre triangles on the layer's top, from landmarks half a thickness apart,
-/// against the elements' own points: at these points and between.
+/// A plane of triangles of half a millimetre on the layer's top, with landmarks half a thickness
+/// apart, against the elements' own points: at landmarks and between them.
 void checkFinerSurface()
 {
   const Grid grid = block(Side, Height);
@@ -366,8 +372,8 @@ void checkFinerSurface()
     return component(filter, "ResponseForce",
       filter->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height), 7);
   };
-  // The first landmark is as far from the edge as from the next one, which leaves an error of a few
-  // per cent there.
+  // The first landmark is as far from the edge as from the next landmark, which causes an error of
+  // a few per cent there.
   for (const double x : { 4.0, 6.0, 9.0, 12.0, 17.0 })
   {
     PALPATE_CHECK_NEAR(
@@ -378,14 +384,14 @@ void checkFinerSurface()
   {
     return component(finer, name, finer->GetOutput()->vtkDataSet::FindPoint(x, 0.5 * Side, Height));
   };
-  // On the edge itself there is no law. The curve is softened from those around.
+  // There is no law on the edge itself. Its curve is that of points near the edge, made softer.
   PALPATE_CHECK(at("ResponseStatus", 0.0) == 5.0 && at("ResponseValidity", 0.0) == 0.0);
   PALPATE_CHECK(forceAt(finer, 0.0) > 0.0 && forceAt(finer, 0.0) < forceAt(finer, 12.0));
   const double error = component(finer, "ResponseError",
     finer->GetOutput()->vtkDataSet::FindPoint(0.5 * Side, 0.5 * Side, Height), 7);
   PALPATE_CHECK(error > 0.0 && error < 0.2);
   PALPATE_CHECK(
-    at("ResponseSurfaceError", 0.5 * Side) == 0.0); // a plane is also exact between its points
+    at("ResponseSurfaceError", 0.5 * Side) == 0.0); // a plane is exact also between its points
   PALPATE_CHECK(std::isnan(at("ResponseSurfaceError", 0.0)));
 
   const Body bumpy = planeBody(0.5 * Side, 48, Height);
@@ -406,14 +412,14 @@ void checkFinerSurface()
   PALPATE_CHECK(open > 0.05 && open < 1.0);
 
   finer->SetSurfaceData(plane);
-  finer->SetTool(makeTool("cone:70")); // no new solution
+  finer->SetTool(makeTool("cone:70")); // a change of the tool needs no new solution
   finer->Update();
   PALPATE_CHECK(finer->GetNumberOfSolutions() == 0);
   own->SetTool(makeTool("cone:70"));
   own->Update();
   PALPATE_CHECK_NEAR(forceAt(finer, 12.0), forceAt(own, 12.0), 0.01 * forceAt(own, 12.0));
 
-  // A surface with the opposite orientation or at another place gets no response.
+  // Points get no response if the surface has the opposite orientation or is at another place.
   const Body below = planeBody(2.0, 4, -1.0);
   for (vtkIdType i = 0; i < below->GetNumberOfPoints(); ++i)
   {
@@ -428,7 +434,7 @@ void checkFinerSurface()
   PALPATE_CHECK(component(finer, "ResponseStatus", 12) == 4.0);
 }
 
-/// On a block that is deep under the contact finite strain has the same effect as on a half-space.
+/// On a thick block finite strain has the same effect as on a half-space.
 void checkStrain()
 {
   const ElasticFilter shaped = press(block(16, 10), "sphere:1");
@@ -461,13 +467,14 @@ void checkStrain()
       }
       else
       {
-        // Without the global part, a tenth of the compliance.
+        // The change of the half-space lacks the global part, which is a tenth of the compliance.
         const double change = alone / smallFlat[at] - 1.0;
         PALPATE_CHECK_NEAR(force / small[at] - 1.0, change, 0.15 * std::abs(change) + 5e-4);
       }
     }
     PALPATE_CHECK(
-      (component(shaped, "ResponseError", point, 7) < 0.02) == (model == 1)); // p at 0.3 is a tenth
+      // estimated error of small strain at ν = 0.3: a tenth
+      (component(shaped, "ResponseError", point, 7) < 0.02) == (model == 1));
   }
   PALPATE_CHECK(std::string(shaped->GetOutput()
                               ->GetFieldData()
@@ -553,7 +560,8 @@ void checkErrors()
   const ElasticFilter some = press(grid, "sphere:1.6");
   some->SetSurfaceData(broken);
   some->Update();
-  PALPATE_CHECK(component(some, "ResponseStatus", 3) == 2.0); // not finite: only that point
+  // a value that is not finite affects only its own point
+  PALPATE_CHECK(component(some, "ResponseStatus", 3) == 2.0);
   const Grid free = block(3, 3);
   free->GetPointData()->RemoveArray("Fixed");
   fails(free, nothing, { "no point array 'Fixed'" });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extreme bodies in the filters: one triangle; a tool larger than the body; a body of many pieces;
-// a position a kilometre from the origin; solids that do not fit in memory.
+// Extreme bodies in the filters: one triangle, a tool larger than the body, a body of many pieces,
+// a position a kilometre from the origin, solids that do not fit in memory.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "FilterChecks.h"
 #include "Response/FlatBodyConversion.h"
@@ -74,7 +74,7 @@ double valueOf(vtkPolyData* data, const char* name, vtkIdType i, int component =
   return array ? array->GetComponent(i, component) : std::nan("");
 }
 
-/// Runs a filter that must report nothing. True if its output has points or rows.
+/// Runs a filter that must report nothing. Returns true if its output has points or rows.
 template <class Filter>
 bool runs(Filter* filter)
 {
@@ -101,7 +101,7 @@ void checkOneTriangle(const std::string& folder)
   deflection->SetTipIndex(0);
   deflection->SetTool(makeTool("paraboloid:5"));
   PALPATE_CHECK(runs(deflection.Get()));
-  // At its corners, far outside the contact, u_z of a point force: (1-ν²)F/(πEr), within a²/r².
+  // At the corners, far outside the contact, u_z is that of a point force, (1-ν²)F/(πEr), to a²/r².
   const double r = std::hypot(4.0, 4.0);
   const double sunk = force / (vtkMath::Pi() * 3.45 * r);
   PALPATE_CHECK_NEAR(
@@ -113,7 +113,8 @@ void checkOneTriangle(const std::string& folder)
   regime->SetYoungsModulus(3.45);
   regime->SetPoissonRatio(0.0);
   PALPATE_CHECK(runs(regime.Get()));
-  PALPATE_CHECK_NEAR(valueOf(regime->GetOutput(), "RegimeIndex", 0), 0.0, 1e-5); // a half-space
+  // the index of a half-space is 0
+  PALPATE_CHECK_NEAR(valueOf(regime->GetOutput(), "RegimeIndex", 0), 0.0, 1e-5);
   vtkNew<vtkReducedContactResponse> reduced;
   reduced->SetInputData(body);
   PALPATE_CHECK(runs(reduced.Get()));
@@ -137,7 +138,7 @@ void checkOneTriangle(const std::string& folder)
   std::remove(file.c_str());
   PALPATE_CHECK(error.empty() && read && read->GetNumberOfPoints() == 3);
 
-  vtkNew<vtkVoxelBody> voxels; // the triangle encloses nothing
+  vtkNew<vtkVoxelBody> voxels; // a triangle encloses no volume
   Messages messages(voxels.Get());
   voxels->SetInputData(oneTriangle());
   voxels->Update();
@@ -150,8 +151,8 @@ double sphereDepth(double a, double radius)
   return 0.5 * a * std::log((radius + a) / (radius - a));
 }
 
-/// The force remains that of the law of a half-space. Validity ends where the contact circle is as
-/// wide as the body.
+/// The force is that of the law of a half-space. Validity ends where the contact circle is as wide
+/// as the body.
 void checkToolLargerThanBody()
 {
   const auto check = [](vtkPolyData* shape, const char* tool, double depth, int limit)
@@ -164,7 +165,8 @@ void checkToolLargerThanBody()
     const Body tips =
       probed(body, tipsAt({ { 0.0, 0.0, 3.5 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, -4.9 } }));
     const double force = makeTool(tool)->GetForce(1.5, 3.45);
-    PALPATE_CHECK_NEAR(valueOf(tips, "NormalForce", 0), force, 5e-4 * force); // eight samples
+    // error of a curve with eight samples
+    PALPATE_CHECK_NEAR(valueOf(tips, "NormalForce", 0), force, 5e-4 * force);
     for (vtkIdType i = 0; i < 3; ++i)
     {
       PALPATE_CHECK(std::isfinite(valueOf(tips, "NormalForce", i)));
@@ -184,10 +186,10 @@ void checkToolLargerThanBody()
   check(cube, "paraboloid:5", 0.8, Strain);
   check(
     cube, "cone:89", 5.0 * 0.5 * vtkMath::Pi() * std::tan(vtkMath::RadiansFromDegrees(1.0)), Edge);
-  // For a beam its width counts, not its length.
+  // For a beam the width counts, not the length.
   check(boxBody(50.0, 5.0, 5.0, 8), "paraboloid:1000", 0.025, Edge);
   check(boxBody(50.0, 50.0, 5.0, 8), "paraboloid:1000", 2.0, None); // a = 45 mm
-  // The same on a layer: a flat tool has its whole radius from the start.
+  // A flat tool on a layer has its whole radius at any depth.
   vtkNew<vtkToolContactResponse> layer;
   layer->SetInputData(cube);
   layer->SetTool(makeTool("flat:6"));
@@ -199,7 +201,7 @@ void checkToolLargerThanBody()
   PALPATE_CHECK(valueOf(layer->GetOutput(), "ResponseValidity", top) == 0.0);
 }
 
-/// 10⁵ unconnected triangles: each is a separate body.
+/// 10⁵ triangles without common points: each is a separate body.
 void checkManyPieces()
 {
   constexpr int Side = 317;
@@ -235,7 +237,8 @@ void checkManyPieces()
   for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i)
   {
     PALPATE_CHECK(valueOf(felt, "ContactCell", i) == static_cast<double>(97 * i));
-    // Floats relative to a centre 3 km away: half an ulp of 2048 to 4096 mm is 1.2e-4 mm.
+    // Coordinates are floats relative to a centre 3 km away: half a unit in the last place of 2048
+    // to 4096 mm is 1.2e-4 mm.
     PALPATE_CHECK_NEAR(valueOf(felt, "Force", i, 2), force, 1.5 * 1.3e-4 / 0.3 * force);
   }
   vtkNew<vtkReducedContactResponse> reduced;
@@ -246,8 +249,8 @@ void checkManyPieces()
   PALPATE_CHECK(runs(choice.Get()));
 }
 
-/// Force on tips in a ball with its response, `away` mm from the origin. Points are stored as
-/// `type`.
+/// Force on a tip in a ball whose centre is moved by `away` mm along each axis. Points are stored
+/// as `type`.
 double forceFarAway(double away, int type)
 {
   const Body ball = sphereBody(20.0, 3);
@@ -271,17 +274,18 @@ void checkFarAway()
 {
   const double here = forceFarAway(0.0, VTK_DOUBLE);
   PALPATE_CHECK(here > 1.0);
-  // 1 mm deep. The error of a corner is half an ulp of 20 mm, a float's 1e-6 mm, in both bodies;
-  // that of the tip is 1e-10.
+  // The tip is 1 mm deep. Corners have a rounding error of half a unit in the last place of 20 mm
+  // as a float, 1e-6 mm, in both bodies; the tip has one of 1e-10 mm.
   PALPATE_CHECK_NEAR(forceFarAway(1e6, VTK_DOUBLE), here, 2.0 * 1.5 * 1.7e-6 * here);
-  // Floats have a spacing of 0.0625 mm there: the error of corners is at most √3/32 mm, and it is
-  // not zero.
+  // Floats have a spacing of 0.0625 mm at this distance. The error of the corners is at most √3/32
+  // mm, and it must not be zero.
   const double coarse = forceFarAway(1e6, VTK_FLOAT);
   PALPATE_CHECK_NEAR(coarse, here, 0.085 * here);
   PALPATE_CHECK(std::abs(coarse - here) > 1e-4 * here);
 }
 
-/// Rejected before anything is built, with a message on the required and the available memory.
+/// The input is rejected before anything is built. The message states the required and the
+/// available memory.
 void checkSolidsTooLarge()
 {
   for (const double spacing : { 1e-300, 1e-12, 1e-5, 5e-3 })
@@ -295,8 +299,8 @@ void checkSolidsTooLarge()
     PALPATE_CHECK(voxels->GetOutput()->GetNumberOfCells() == 0);
   }
 
-  // One and a half times the available memory, at 350 bytes per voxel; or, on a large machine, too
-  // many voxels.
+  // The solid needs one and a half times the available memory at 350 bytes per voxel, or has too
+  // many voxels on a large machine.
   const double voxelTotal = 1.5 * palpate::availableMemory() / 350.0;
   vtkNew<vtkVoxelBody> large;
   Messages words(large.Get());
@@ -315,7 +319,8 @@ void checkSolidsTooLarge()
   const double needed = compliance->GetMemoryEstimate();
   PALPATE_CHECK(needed > 1.0 && compliance->GetOutput()->GetNumberOfPoints() > 0);
   Messages messages(compliance.Get());
-  // By the symbolic analysis just below and above the stated need; far below by the forecast.
+  // Limits near the stated need are checked by the symbolic analysis, much smaller ones by the
+  // forecast.
   compliance->SetMemoryLimit(1.01 * needed);
   compliance->Update();
   PALPATE_CHECK(messages.none() && compliance->GetOutput()->GetNumberOfPoints() > 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extreme materials: forces proportional to E over twelve orders of magnitude, no silent loss in
-// float storage, ν = 0 and 0.5 against closed forms and the tables of Data/Reference.
+// Extreme materials: forces are proportional to E over twelve orders of magnitude, values outside
+// the range of a float are reported, ν = 0 and 0.5 agree with closed forms and the tables of
+// Data/Reference.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -43,12 +44,12 @@ Response respond(const std::string& tool, double young, double poisson, double r
   vtkDataArray* status = data->GetArray("ResponseStatus");
   for (vtkIdType i = 0; status && i < status->GetNumberOfTuples(); ++i)
   {
-    response.invalid += status->GetTuple1(i) == 2.0 ? 1 : 0; // NotFinite
+    response.invalid += status->GetTuple1(i) == 2.0 ? 1 : 0; // code of NotFinite
   }
   return response;
 }
 
-/// Every stored value is `ratio` times that of the other, within `units` of the last place.
+/// Every stored value of `one` is `ratio` times that of `other`, within `units` in the last place.
 void expectRatio(const Response& one, const Response& other, double ratio, double units)
 {
   for (const auto& [a, b] :
@@ -65,18 +66,18 @@ void expectRatio(const Response& one, const Response& other, double ratio, doubl
   }
 }
 
-/// From fat to cartilage and glass wool to steel: 1e-6 to 1e6 MPa.
+/// Moduli from 1e-6 to 1e6 MPa, which include fat, cartilage, glass wool and steel.
 void checkProportion()
 {
   for (const char* tool : { "sphere:6.35", "flat:1.6", "cone:60", "rounded:3,1" })
   {
     const Response unit = respond(tool, 1.0, 0.3);
-    // Powers of two scale without rounding; 2^±20 is 1e±6.
+    // Powers of two scale without rounding; 2^±20 is about 1e±6.
     for (int power = -20; power <= 20; ++power)
     {
       expectRatio(respond(tool, std::ldexp(1.0, power), 0.3), unit, std::ldexp(1.0, power), 0.0);
     }
-    for (int power = -6; power <= 6; ++power) // stored two times with half a unit each
+    for (int power = -6; power <= 6; ++power) // both values are rounded by half a unit when stored
     {
       expectRatio(
         respond(tool, std::pow(10.0, power), 0.3), unit, std::pow(10.0, power), 1.0 + 1e-6);
@@ -89,13 +90,14 @@ void checkProportion()
 
 void checkFloatStorage()
 {
-  // A tip of 10 nm in the softest body, 1 nm deep; a roller of 100 m in the hardest, a metre deep.
+  // A tip of 10 nm that is pressed 1 nm into the softest body, and a roller of 100 m pressed a
+  // metre into the hardest.
   for (const Response& response :
     { respond("paraboloid:1e-5", 1e-6, 0.0, 1e-6), respond("paraboloid:1e5", 1e6, 0.0, 1e3) })
   {
     PALPATE_CHECK(response.errors.empty() && response.warnings.empty() && response.invalid == 0);
   }
-  // F = 4/3 E* √R δ^1.5 of the first sample, δ = range/64.
+  // F = 4/3 E* √R δ^1.5 of the first sample, at δ = range/64.
   const auto first = [](const Response& response)
   { return static_cast<double>(response.force->GetValue(0)); };
   const double tiny = 4.0 / 3.0 * 1e-6 * std::sqrt(1e-5) * std::pow(1e-6 / 64.0, 1.5);
@@ -104,7 +106,8 @@ void checkFloatStorage()
   const double huge = 4.0 / 3.0 * 1e6 * std::sqrt(1e5) * std::pow(1e3 / 64.0, 1.5);
   PALPATE_CHECK_NEAR(first(respond("paraboloid:1e5", 1e6, 0.0, 1e3)), huge, 1.2e-7 * huge);
 
-  // A value outside the range of a float is not stored as 0, a denormal or infinity.
+  // A value outside the range of a float is reported, not stored as 0, a denormal number or
+  // infinity.
   for (const Response& response : { respond("flat:1", 1e-30, 0.0, 1e-8), // forces of 3e-40 N
          respond("flat:1", 1e300, 0.0), respond("flat:1", 3e38, 0.0),
          respond("sphere:3", 1e-40, 0.4, 1.0, 10.0) })
@@ -120,14 +123,14 @@ void checkFloatStorage()
 
 void checkPoissonEnds()
 {
-  // F = 2aE*δ, E* = E at ν = 0 and 4/3 E at ν = 0.5.
+  // F = 2aE*δ, with E* = E at ν = 0 and 4/3 E at ν = 0.5.
   for (const auto& [nu, modulus] : { std::pair{ 0.0, 0.06 }, std::pair{ 0.5, 0.08 } })
   {
     const Response response = respond("flat:1.6", 0.06, nu);
     const double last = 2.0 * 1.6 * modulus * 2.0;
     PALPATE_CHECK_NEAR(static_cast<double>(response.force->GetValue(7)), last, 1.2e-7 * last);
   }
-  // Flat tools on layers: F over the half-space's, κ(a/h, ν).
+  // Flat tools on layers: force / force on the half-space = κ(a/h, ν).
   const auto checkTable = [](const char* name, const char* rowName, const char* row, double nu,
                             vtkToolContactResponse::LayerBaseType base)
   {
@@ -143,7 +146,7 @@ void checkPoissonEnds()
       const Response response = respond("flat:3", 0.1, nu, 0.2, thickness, base);
       const double last = table.number(i, share) * 2.0 * 3.0 * 0.1 / (1.0 - nu * nu) * 0.2;
       PALPATE_CHECK(response.errors.empty() && response.force);
-      // LayerTable guarantees 1e-7; a float adds half of that.
+      // LayerTable guarantees 1e-7; rounding to float adds half of this.
       PALPATE_CHECK_NEAR(static_cast<double>(response.force->GetValue(7)), last, 1.7e-7 * last);
     }
   };

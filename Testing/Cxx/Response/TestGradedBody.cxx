@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGradedBody: volumes, edges, Jacobians, held points, identical bits, abort, errors; and
-// contacts on its output against the series for a ball and the exact layer.
+// vtkGradedBody: volumes, edges, Jacobians, held points, identical bits, abort, errors. Also
+// contacts on its output, against the series for a ball and against the exact layer.
 #include "BoxOnGround.h"
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
@@ -35,7 +35,8 @@ using Place = std::array<double, 3>;
 
 constexpr double CircleNumber = 3.14159265358979323846;
 
-/// A surface of revolution about z with these radii and heights, from axis to axis.
+/// A closed surface of revolution about z. `outline`: its radii and heights, beginning and ending
+/// on the axis.
 vtkSmartPointer<vtkPolyData> turned(const std::vector<std::array<double, 2>>& outline, int sides)
 {
   vtkNew<vtkPoints> points;
@@ -100,8 +101,8 @@ vtkSmartPointer<vtkGradedBody> makeFilter(vtkPolyData* body, double spacing)
   return filter;
 }
 
-/// Measures by the cells' own quadrature, which is exact for the cubic Jacobian of a quadratic
-/// tetrahedron.
+/// Volume and Jacobians by a quadrature over the cells, which is exact for the cubic Jacobian of a
+/// quadratic tetrahedron.
 struct Filled
 {
   double volume = 0.0;
@@ -110,7 +111,7 @@ struct Filled
 
 Filled measure(vtkUnstructuredGrid* grid)
 {
-  // Keast (1986), degree 3: the middle and four points.
+  // Keast (1986), degree 3: the centroid and four points.
   const double places[5][4] = { { 0.25, 0.25, 0.25, -0.8 / 6.0 },
     { 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 0.075 }, { 0.5, 1.0 / 6.0, 1.0 / 6.0, 0.075 },
     { 1.0 / 6.0, 0.5, 1.0 / 6.0, 0.075 }, { 1.0 / 6.0, 1.0 / 6.0, 0.5, 0.075 } };
@@ -120,7 +121,8 @@ Filled measure(vtkUnstructuredGrid* grid)
     vtkCell* cell = grid->GetCell(c);
     const auto jacobian = [&](const double* at)
     {
-      // Derivatives of the shape functions by differences, which are exact for quadratic functions.
+      // Derivatives of the shape functions by central differences, which are exact for quadratic
+      // functions.
       double side[3][3];
       for (int i = 0; i < 3; ++i)
       {
@@ -158,8 +160,8 @@ Filled measure(vtkUnstructuredGrid* grid)
   return filled;
 }
 
-/// Faces that belong to one cell only: their area, and the distance of their nodes from a ball of
-/// this radius.
+/// Outer faces, which belong to one cell only: their area, and the largest distance of their nodes
+/// from a ball of this radius.
 std::array<double, 2> outside(vtkUnstructuredGrid* grid, double radius)
 {
   std::map<std::array<vtkIdType, 3>, std::array<vtkIdType, 3>> faces; // corners, mid-edge nodes
@@ -221,13 +223,14 @@ void checkShapes()
             << area / (4.0 * CircleNumber * radius * radius) << ", least Jacobian "
             << ball.leastJacobian << ", off " << farthest << " mm" << std::endl;
   PALPATE_CHECK_NEAR(ball.volume / exact, 1.0, 0.001); // with straight edges 1.6 % would be missing
-  // Facets of 2 mm are on average h²/6R deep, so the area is too small by twice that over R: 1.3 %.
+  // Facets of 2 mm are on average h²/6R deep, so the area is too small by twice this depth / R: 1.3
+  // %.
   PALPATE_CHECK_NEAR(area / (4.0 * CircleNumber * radius * radius), 1.0, 0.02);
   PALPATE_CHECK(ball.leastJacobian > 0.0);
-  PALPATE_CHECK(farthest < 0.01); // facets of the surface itself, 0.7 mm: 0.006
+  PALPATE_CHECK(farthest < 0.01); // the facets of the surface, 0.7 mm, are 0.006 mm deep
   PALPATE_CHECK_NEAR(grid->GetNumberOfCells() / filter->GetCellEstimate(), 1.0, 0.5);
 
-  // Edges and corners are exact to the last digit, so the volume is too.
+  // Edges and corners are exact to rounding, and therefore the volume.
   const auto block = makeFilter(boxOnGround(12.0, 8.0, 6.0), 2.0);
   block->Update();
   const Filled straight = measure(block->GetOutput());
@@ -241,7 +244,7 @@ void checkShapes()
     PALPATE_CHECK(std::hypot(at[0] - corner, at[1] - 4.0, at[2] - 6.0) < 1e-9);
   }
 
-  // A finer surface: fewer cells than in a uniform fine grid.
+  // A finer surface: a graded interior has fewer cells than a uniform fine mesh.
   const auto graded = makeFilter(surface, 1.0);
   graded->Update();
   graded->SetInteriorSpacing(1.0);
@@ -249,7 +252,7 @@ void checkShapes()
   graded->Update();
   PALPATE_CHECK(graded->GetOutput()->GetNumberOfCells() > 2 * few);
 
-  // Two balls, one of them small and far from the middle of the bounding box.
+  // Two balls, one of which is small and far from the middle of the bounding box.
   vtkNew<vtkTransform> beside;
   beside->Translate(25.0, 3.0, 0.0);
   beside->Scale(0.2, 0.2, 0.2);
@@ -266,8 +269,8 @@ void checkShapes()
   PALPATE_CHECK(parts->GetOutput()->GetBounds()[1] > 26.9);
 }
 
-/// Cells that reach into a ball have about the stated size, on its surface and inside. Distant
-/// cells do not change.
+/// Cells that intersect a ball have about the stated size, on the surface and inside. Distant cells
+/// do not change.
 void checkFineBalls()
 {
   const Place middle{ 0.0, 0.0, 20.0 };
@@ -316,7 +319,8 @@ void checkFineBalls()
             << std::endl;
   PALPATE_CHECK_NEAR(sums[0] / counts[0], 1.0, 0.25);
   PALPATE_CHECK(sums[1] / counts[1] > 3.0);
-  // Half of the ball and its shell are outside, which the estimate does not consider.
+  // Half of the ball and of its shell are outside the body, which the estimate does not take into
+  // account.
   PALPATE_CHECK(grid->GetNumberOfCells() < filter->GetCellEstimate());
   PALPATE_CHECK(3.0 * grid->GetNumberOfCells() > filter->GetCellEstimate());
   PALPATE_CHECK_NEAR(measure(grid).volume / (24.0 * 24.0 * 20.0), 1.0, 1e-9);
@@ -344,7 +348,7 @@ void checkSameBits()
 {
   const auto once = makeFilter(halfBall(10.0), 2.0);
   once->Update();
-  const std::vector<char> between(12345); // different addresses
+  const std::vector<char> between(12345); // the second run gets different addresses
   const auto again = makeFilter(halfBall(10.0), 2.0);
   again->Update();
   vtkUnstructuredGrid* a = once->GetOutput();
@@ -373,7 +377,8 @@ vtkSmartPointer<vtkElasticContactResponse> press(
   return filter;
 }
 
-/// The sphere of the table, which uses r²/2R for the gap of the ball.
+/// The tool of the table, which uses r²/2R for the gap of the ball. The library uses the exact gap,
+/// so the difference is removed from the tool here.
 std::string toolOfTheTable(const std::string& file, double radius, double ball)
 {
   std::ofstream out(file);
@@ -388,7 +393,7 @@ std::string toolOfTheTable(const std::string& file, double radius, double ball)
   return "profile:" + file;
 }
 
-/// The pole of half a ball that slips on its base (Data/Reference/shape/hemisphere.csv).
+/// The pole of half a ball that slips on its base, against Data/Reference/shape/hemisphere.csv.
 void checkBallContact(const std::string& folder, double spacing, double tolerance)
 {
   const double radius = 10.0;
@@ -429,9 +434,10 @@ void checkBallContact(const std::string& folder, double spacing, double toleranc
     PALPATE_CHECK_NEAR(error, 0.0, tolerance);
     if (table.number(i, "a/R") != 0.2 && table.number(i, "a/R") != 0.14)
     {
-      continue; // one case per tool, since a separate surface takes long
+      continue; // one case per tool, because a separate surface takes long
     }
-    // On a separate surface: the same H, blended. Facets of 3 degrees determine the curvature.
+    // A separate surface uses the same H, interpolated. Its facets of 3 degrees determine the
+    // curvature.
     const Body ball = halfBall(radius, 30);
     pressed->SetSurfaceData(ball);
     pressed->Update();
@@ -460,7 +466,7 @@ void checkLayerContact()
   for (const char* tool : { "sphere:1.6", "sphere:6.35", "flat:1.6" })
   {
     const auto pressed = press(grid, tool, 0.6);
-    Messages messages(pressed.Get()); // the sides have no response
+    Messages messages(pressed.Get()); // captures the warning that the sides have no response
     pressed->Update();
     vtkNew<vtkToolContactResponse> exact;
     exact->SetInputData(planeBody(30.0, 8));
@@ -513,7 +519,7 @@ void checkErrors()
   open->SetEndTheta(200.0);
   open->Update();
   fails(open->GetOutput(), nothing, { "not closed", "hole", "wide" });
-  // Two boxes that overlap.
+  // Two overlapping boxes.
   vtkNew<vtkTransform> beside;
   beside->Translate(5.0, 3.0, 2.0);
   vtkNew<vtkTransformPolyDataFilter> other;
@@ -526,8 +532,8 @@ void checkErrors()
   fails(both->GetOutput(), nothing, { "part 2 of 2", "overlap" });
 }
 
-/// A ball with one point moved across its neighbours, as in a scan: the mesh is repaired, with the
-/// same volume.
+/// A ball with one point moved across its neighbours, as in a scan. The mesh is repaired and keeps
+/// its volume.
 void checkMended()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -556,8 +562,8 @@ void checkMended()
     0.01 * exact); // error of facets and of the moved point
 }
 
-/// A ball without the triangles around a point, and with a fin at an edge: the fin is left out and
-/// the hole filled, with a warning. The volume is that of the ball.
+/// A ball without the triangles around one point, and with a fin at an edge. The fin is left out
+/// and the hole is filled, with a warning. The volume is that of the ball.
 void checkClosedUp()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -585,11 +591,12 @@ void checkClosedUp()
   PALPATE_CHECK_TEXT(messages.warnings(), "not closed", "were filled");
   const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
   PALPATE_CHECK_NEAR(
-    measure(filter->GetOutput()).volume, exact, 0.01 * exact); // error of facets and of the lid
+    // error of facets and of the filled hole
+    measure(filter->GetOutput()).volume, exact, 0.01 * exact);
 }
 
-/// Two round lips, 0.4 mm apart, with cells of 2 mm. An outer surface without self-contact would
-/// need cells without end.
+/// Two round lips at a distance of 0.4 mm, with cells of 2 mm. An outer surface without
+/// self-contact would need an unlimited number of cells.
 void checkSheetsThatNearlyTouch()
 {
   constexpr double radius = 8.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies held to a given depth: vtkGradedBody cuts them exactly there, and a body pressed on a
-// separate surface keeps its held parts.
+// Bodies held to a given depth: vtkGradedBody cuts them exactly at this depth, and a body pressed
+// on a separate surface keeps its held parts.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -27,7 +27,7 @@ namespace
 using namespace palpate::testing;
 using Place = std::array<double, 3>;
 
-constexpr double Rounding = 1e-9; // mm: nodes on a plane
+constexpr double Rounding = 1e-9; // mm: tolerance for nodes on a plane
 
 vtkSmartPointer<vtkGradedBody> fill(vtkPolyData* body, double spacing, const char* held)
 {
@@ -50,7 +50,7 @@ bool isHeld(vtkUnstructuredGrid* grid, vtkIdType i)
   return grid->GetPointData()->GetArray("Fixed")->GetTuple1(i) == 7.0;
 }
 
-/// Volume of the tetrahedra with straight edges.
+/// Volume of the tetrahedra, taken with straight edges.
 double volumeOf(vtkUnstructuredGrid* grid)
 {
   double volume = 0.0;
@@ -79,8 +79,8 @@ Body moved(vtkPolyData* body, double x, double y, double z)
   return filter->GetOutput();
 }
 
-/// Held at two sides: the free part is exactly the rest of the block, and it is held exactly on its
-/// sides.
+/// A block held at two sides. The free part is exactly the rest of the block, and exactly the
+/// points on its cut sides are held.
 void checkBlock()
 {
   const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:1,x+:2");
@@ -98,7 +98,7 @@ void checkBlock()
   }
 }
 
-/// A profile in x and z, 8 mm along y.
+/// A body with this profile in x and z, 8 mm long in y.
 Body extruded(const std::vector<std::array<double, 2>>& profile)
 {
   vtkNew<vtkPoints> points;
@@ -130,8 +130,8 @@ Body extruded(const std::vector<std::array<double, 2>>& profile)
   return outward->GetOutput();
 }
 
-/// A step in the plane, one half a cell above it, and a table cut at its legs and directly under
-/// its top.
+/// A step at the cut, a step half a cell above the cut, and a table whose legs are cut in their
+/// middle and directly below its top.
 void checkSteps()
 {
   const Body step = extruded(
@@ -152,7 +152,7 @@ void checkSteps()
   PALPATE_CHECK_NEAR(volumeLeft(table, "z-:3"), 8.0 * 10.0 * 3.0, 1e-6);
 }
 
-/// A ball: the rim is the circle in which the plane cuts its facets, for any cell size.
+/// A ball: the rim is the circle in which the plane of the cut meets the facets, for any cell size.
 void checkBall(double spacing)
 {
   constexpr double Radius = 10.0;
@@ -175,7 +175,7 @@ void checkBall(double spacing)
     onRim += isOnCut && away > rim - 2.0 * facet ? 1 : 0;
   }
   PALPATE_CHECK_NEAR(widest, rim, 2.0 * facet);
-  // Edges of the cells follow the rim, and so do their middle nodes.
+  // Edges of the cells and their middle nodes are on the rim.
   PALPATE_CHECK(onRim * 0.5 * spacing > 0.8 * 2.0 * vtkMath::Pi() * rim);
   const double whole = 4.0 / 3.0 * vtkMath::Pi() * std::pow(Radius, 3);
   const double cap = vtkMath::Pi() * Depth * Depth * (3.0 * Radius - Depth) / 3.0;
@@ -186,7 +186,7 @@ void checkBall(double spacing)
     volumeOf(grid) / (whole - cap), 1.0, 3.0 * side * side / (8.0 * Radius * Radius));
 }
 
-/// Two balls whose rims are a fortieth of a cell apart.
+/// Two balls whose rims are at a distance of a fortieth of a cell.
 void checkRimsThatNearlyTouch()
 {
   const Body ball = sphereBody(10.0, 4);
@@ -198,12 +198,14 @@ void checkRimsThatNearlyTouch()
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());
-  PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() < filter->GetCellEstimate()); // not cut
-  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;                            // two halves
-  PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // straight edges
+  // the cells are not made smaller
+  PALPATE_CHECK(filter->GetOutput()->GetNumberOfCells() < filter->GetCellEstimate());
+  // volume of two halves of a ball
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 1000.0;
+  PALPATE_CHECK_NEAR(volumeOf(filter->GetOutput()) / exact, 1.0, 0.03); // error of straight edges
 }
 
-/// Nothing is left free: held as a whole, with a warning.
+/// If no part of the body would be free, the whole body is held, with a warning.
 void checkHeldAsAWhole()
 {
   const auto filter = fill(boxBody(6.0, 4.0, 3.0, 2), 2.0, "z-:100");
@@ -219,7 +221,7 @@ void checkHeldAsAWhole()
   }
 }
 
-/// A bonded layer, the rest of a block after a cut, against the exact integral equation.
+/// A bonded layer, the part of a block above a cut, against the exact integral equation.
 void checkLayer()
 {
   constexpr double Height = 4.0;
@@ -231,7 +233,7 @@ void checkLayer()
   pressed->SetMaximumDeflection(0.6);
   pressed->SetNumberOfSamples(2);
   pressed->SetTool(makeTool("sphere:1.6"));
-  Messages messages(pressed.Get()); // the sides have no response
+  Messages messages(pressed.Get()); // captures the warning that the sides have no response
   pressed->Update();
   const auto exact = filterOf(planeBody(30.0, 8), "sphere:1.6", 0.6);
   exact->SetYoungsModulus(1.0);
@@ -246,14 +248,15 @@ void checkLayer()
       ->GetComponent(i, 1);
   };
   const double force = forceAt(pressed, pressed->GetOutput()->vtkDataSet::FindPoint(0.0, 0.0, 3.0));
-  PALPATE_CHECK_NEAR(force / forceAt(exact, 40), 1.0, 0.01); // three cells through the layer
+  // error of three cells through the layer
+  PALPATE_CHECK_NEAR(force / forceAt(exact, 40), 1.0, 0.01);
 
-  // On the surface of the whole block the part that was cut off is held, and nothing above it.
+  // On the surface of the whole block exactly the points of the part that was cut off are held.
   const Body surface = boxBody(12.0, 12.0, 3.0, 24);
   pressed->SetSurfaceData(surface);
   pressed->Update();
   vtkPointData* felt = pressed->GetOutput()->GetPointData();
-  // √(1.6 mm · 0.6 mm), on a half-space; on a thin layer √2 times that.
+  // Contact radius on a half-space: √(1.6 mm · 0.6 mm). On a thin layer it is √2 times as large.
   constexpr double Contact = 0.98;
   int free = 0;
   int ended = 0;
@@ -284,7 +287,7 @@ int TestHeldParts(int, char*[])
 {
   if (!vtkGradedBody::IsAvailable())
   {
-    return palpate::testing::result(); // TestGradedBody covers the rest
+    return palpate::testing::result(); // TestGradedBody reports that the filter is not available
   }
   checkBlock();
   checkSteps();

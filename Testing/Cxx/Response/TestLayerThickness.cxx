@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLayerThickness on scans of known thickness: balls, slabs, plates; surfaces that are no base;
-// errors.
+// vtkLayerThickness on scans of known thickness: balls, slabs, plates; dark regions that are not a
+// base; errors.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -31,11 +31,12 @@ constexpr double Muscle = 60.0;
 constexpr double Fat = 120.0;
 constexpr double Blur = 2.0; // mm, width of an edge in the scan: two voxels
 
-/// A tenth of a voxel of 1 mm. Trilinear interpolation rounds off the corners of a blurred edge, by
-/// second differences of (Fat - Bone)/Blur per voxel: at most 1/8 of the step in grey per voxel.
+/// A tenth of a voxel of 1 mm. Trilinear interpolation rounds the corners of a blurred edge by
+/// second differences of (Fat - Bone)/Blur per voxel: at most 1/8 of the change of the grey value
+/// per voxel.
 constexpr double Tolerance = 0.1;
 
-/// A scan of grey(x, y, z), stored as shorts as in MRI.
+/// A scan with the grey values grey(x, y, z), stored as shorts as in MRI.
 using Grey = std::function<double(const double[3])>;
 vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spacing = 1.0)
 {
@@ -43,7 +44,8 @@ vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spaci
   const int size = 2 * static_cast<int>(std::ceil(half / spacing)) + 1;
   scan->SetDimensions(size, size, size);
   scan->SetSpacing(spacing, spacing, spacing);
-  const double origin = -0.5 * spacing * (size - 1) + 0.3; // no voxel is in the middle
+  // offset, so that no voxel is at the origin
+  const double origin = -0.5 * spacing * (size - 1) + 0.3;
   scan->SetOrigin(origin, origin, origin);
   vtkNew<vtkShortArray> values;
   values->SetName("Grey");
@@ -58,7 +60,7 @@ vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spaci
   return scan;
 }
 
-/// From `low` to `high` across a blurred edge at 0.
+/// The value from `low` to `high` across a blurred edge at x = 0.
 double edge(double x, double low, double high)
 {
   return low + (high - low) * std::clamp(x / Blur + 0.5, 0.0, 1.0);
@@ -123,16 +125,16 @@ void testBalls()
     const auto scan = scanOf(ballOver(thickness), 30.0);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, scan)), thickness) < Tolerance);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, scan, 3.0)), thickness) < Tolerance);
-    // Finer voxels with the same blur: the corners of the edge are rounded less.
+    // Finer voxels with the same blur round the corners of the edge less.
     const auto fine = scanOf(ballOver(thickness), 30.0, 0.5);
     PALPATE_CHECK(worst(thicknessOf(filterOf(body, fine)), thickness) < 0.5 * Tolerance);
   }
-  // Without normals they are computed from facets, not from the ball. Their angle to the exact ones
-  // is at most half the turn of an edge, so the ray is longer by less than 0.1 % of the radius.
+  // Without normals they are computed from the facets. Their angle to the normals of the ball is at
+  // most half the angle between facets, so the ray is longer by less than 0.1 % of the radius.
   const Body bare = sphereBody(Radius, 4);
   const auto scan = scanOf(ballOver(7.37), 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(bare, scan)), 7.37) < Tolerance + 1e-3 * Radius);
-  // All other arrays are passed on; the input is not changed.
+  // All other arrays are passed on, and the input is not changed.
   auto filter = filterOf(body, scan);
   filter->Update();
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetArray("Radial") ==
@@ -167,7 +169,7 @@ void testPlacement()
   body->Update();
   PALPATE_CHECK(worst(thicknessOf(filterOf(body->GetOutput(), placed)), 7.37) < Tolerance);
 
-  // An extent that does not begin at 0.
+  // The extent of the image does not begin at 0.
   auto shifted = vtkSmartPointer<vtkImageData>::New();
   shifted->ShallowCopy(scan);
   int extent[6];
@@ -178,7 +180,7 @@ void testPlacement()
   PALPATE_CHECK(worst(thicknessOf(filterOf(ballBody(), shifted)), 7.37) < Tolerance);
 }
 
-/// The plane z = 0 over tissue; `grey` is a function of depth.
+/// A filter for the plane z = 0 over tissue; `grey` is a function of the depth.
 vtkSmartPointer<vtkLayerThickness> slab(const std::function<double(double)>& grey)
 {
   const auto scan =
@@ -188,7 +190,7 @@ vtkSmartPointer<vtkLayerThickness> slab(const std::function<double(double)>& gre
 
 void testSlabs()
 {
-  // Only tissue.
+  // Tissue without bone has no base.
   PALPATE_CHECK(worst(thicknessOf(slab([](double) { return Fat; })), 0.0) == 0.0);
   // Fat over muscle over bone: the base is the bone.
   const auto over = [](double bone)
@@ -197,12 +199,13 @@ void testSlabs()
     { return depth < 6.0 ? edge(3.0 - depth, Muscle, Fat) : edge(bone - depth, Bone, Muscle); };
   };
   PALPATE_CHECK(worst(thicknessOf(slab(over(9.2))), 9.2) < Tolerance);
-  // Bone deeper than the search depth; then with a larger search depth.
+  // Bone below the largest search depth has no effect; it is found with a larger search depth.
   auto deep = slab(over(22.0));
   PALPATE_CHECK(worst(thicknessOf(deep), 0.0) == 0.0);
   deep->SetMaximumDepth(24.0);
   PALPATE_CHECK(worst(thicknessOf(deep), 22.0) < Tolerance);
-  // Dark, but not half as dark as the tissue above it; or above BaseValue.
+  // Dark regions are no base if they are not half as dark as the tissue above, or not below
+  // BaseValue.
   const auto fluid = [](double grey, double tissue)
   { return [=](double depth) { return edge(8.0 - depth, grey, tissue); }; };
   PALPATE_CHECK(worst(thicknessOf(slab(fluid(32.0, Muscle))), 0.0) == 0.0);
@@ -211,19 +214,20 @@ void testSlabs()
   auto brighter = slab(fluid(38.0, Fat));
   brighter->SetBaseValue(50.0);
   PALPATE_CHECK(worst(thicknessOf(brighter), 8.0) < Tolerance);
-  // Bone thinner than a voxel is not accepted: 0.8 mm below BaseValue.
+  // Bone thinner than a voxel is not accepted: the grey value is below BaseValue over 0.8 mm only.
   const auto thin = [](double depth) { return std::min(Fat, 20.0 + 37.5 * std::abs(depth - 8.7)); };
   PALPATE_CHECK(worst(thicknessOf(slab(thin)), 0.0) == 0.0);
 }
 
-/// A plate of tissue in air: the dark region behind it is not bone.
+/// A plate of tissue in air: the dark region behind the plate is not bone.
 void testOppositeWall()
 {
   constexpr double thickness = 10.0;
   const auto scan = scanOf(
     [](const double x[3]) { return edge(0.5 * thickness - std::abs(x[2]), Air, Fat); }, 30.0);
   const Body front = planeBody(10.0, 10, 0.5 * thickness);
-  PALPATE_CHECK(worst(thicknessOf(filterOf(front, scan)), thickness) < Tolerance); // only one wall
+  // the body has only one wall
+  PALPATE_CHECK(worst(thicknessOf(filterOf(front, scan)), thickness) < Tolerance);
   vtkNew<vtkTransform> turn;
   turn->RotateX(180.0);
   vtkNew<vtkTransformPolyDataFilter> back;
@@ -236,7 +240,8 @@ void testOppositeWall()
   PALPATE_CHECK(worst(thicknessOf(filterOf(plate->GetOutput(), scan)), 0.0) == 0.0);
 }
 
-/// A hole in the tissue under few points, and one in the bone: the other points correct them.
+/// A hole in the tissue below a few points, and one in the bone: smoothing replaces their values by
+/// those of the other points.
 void testSmoothing()
 {
   const auto scan = scanOf(
@@ -252,7 +257,7 @@ void testSmoothing()
   const auto rough = thicknessOf(filterOf(body, scan));
   double range[2];
   rough->GetRange(range);
-  PALPATE_CHECK(range[0] == 0.0); // in the marrow
+  PALPATE_CHECK(range[0] == 0.0); // no base is found in the marrow
   PALPATE_CHECK(worst(rough, 8.0) > 4.0);
   auto smooth = filterOf(body, scan, 3.0);
   PALPATE_CHECK(worst(thicknessOf(smooth), 8.0) < Tolerance);
@@ -283,7 +288,7 @@ void testThreads()
   }
 }
 
-/// The error of a filter after a change; there must be no output.
+/// The error of a filter after a change. There must be no output.
 template <class Change>
 std::string errorAfter(vtkPolyData* body, vtkImageData* scan, const Change& change)
 {
@@ -348,14 +353,14 @@ void testErrors()
   PALPATE_CHECK(messages.none() && filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// A ray ends at the end of the scan or at a value that is not finite. Then no base is found,
-/// without an error.
+/// A ray ends at the border of the scan or at a value that is not finite. In this case no base is
+/// found, without an error.
 void testEnds()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto scan = scanOf([](const double x[3]) { return edge(x[2] + 8.0, Bone, Fat); }, 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(planeBody(10.0, 4), scan)), 8.0) < Tolerance);
-  // The last layer of voxels, at z = -29.7, is dark: too thin to be accepted.
+  // The last layer of voxels, at z = -29.7, is dark but too thin to be accepted.
   const auto cut = scanOf([](const double x[3]) { return x[2] < -29.0 ? Bone : Fat; }, 30.0);
   PALPATE_CHECK(worst(thicknessOf(filterOf(planeBody(10.0, 4, -20.0), cut)), 0.0) == 0.0);
   vtkNew<vtkImageData> holed;

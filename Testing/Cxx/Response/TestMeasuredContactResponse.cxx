@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured with one tool, applied to another: the same arrays as for a body of known material.
+// A body measured with one tool and applied to another one: its arrays are those of a body of known
+// material.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -19,7 +20,7 @@ vtkDataArray* array(vtkMeasuredContactResponse* filter, const char* name)
   return filter->GetOutput()->GetPointData()->GetArray(name);
 }
 
-/// The largest relative difference of an array between two bodies.
+/// Largest relative difference of an array between two bodies.
 double difference(vtkDataArray* a, vtkDataArray* b)
 {
   double largest = 0.0;
@@ -35,8 +36,8 @@ double difference(vtkDataArray* a, vtkDataArray* b)
   return largest;
 }
 
-/// A half-space measured with a paraboloid gives any tool the same response as the half-space
-/// itself.
+/// A half-space measured with a paraboloid has the same response to any tool as the half-space of
+/// known material.
 void checkHalfSpace(const std::string& folder)
 {
   const Body body = planeBody(12.0, 8);
@@ -57,7 +58,7 @@ void checkHalfSpace(const std::string& folder)
     for (const char* name :
       { "ResponseForce", "ResponseStiffness", "ResponseRange", "ResponseNormal" })
     {
-      // Floats, and 1e-8 of the fit.
+      // Tolerance: floats, and 1e-8 of the fit.
       PALPATE_CHECK(
         difference(array(filter, name), given->GetOutput()->GetPointData()->GetArray(name)) < 3e-7);
     }
@@ -72,7 +73,7 @@ void checkHalfSpace(const std::string& folder)
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "Distance (mm)"), 0.5, 1e-15);
   PALPATE_CHECK_NEAR(filter->GetSiteResidual(), 0.5, 1e-15);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ForceOffset (N)"), 0.0, 1e-9);
-  // Small strain ends at 0.16 R: 20 readings, 1.5/60 mm apart, are deeper.
+  // Small strain ends at a depth of 0.16 R: 20 readings, 1.5/60 mm apart, are deeper.
   PALPATE_CHECK_TEXT(
     siteText(filter, 0, "Remark"), "20 of 71 readings are not used", "strain of 0.4");
   filter->SetMaximumStrain(0.5);
@@ -88,7 +89,7 @@ void checkHalfSpace(const std::string& folder)
   PALPATE_CHECK(array(filter, "palpate:YoungsModulus") == nullptr);
   PALPATE_CHECK(body->GetPointData()->GetNumberOfArrays() == 0); // the input is not changed
 
-  // The curves from first contact: 71 readings, 10 of them before it.
+  // The curves from first contact on: 71 readings, of which 10 are before contact.
   auto* curves = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
   PALPATE_CHECK(curves->GetNumberOfRows() == 71);
   for (vtkIdType i = 0; i < curves->GetNumberOfRows(); ++i)
@@ -101,8 +102,8 @@ void checkHalfSpace(const std::string& folder)
   }
 }
 
-/// Local and global: the curve of a sphere is measured; the curve of a flat is compared with the
-/// closed form in series.
+/// A body with a global compliance: the curve of a sphere is measured, and the curve of a flat end
+/// is compared with the closed form in series.
 void checkGlobalCompliance(const std::string& folder)
 {
   const double compliance = 4.0;
@@ -130,14 +131,14 @@ void checkGlobalCompliance(const std::string& folder)
   for (int k = 0; k < 8; ++k)
   {
     const double depth = 2.0 * (k + 1) * (k + 1) / 64.0;
-    // 1e-6 of the fit, and a float of storage.
+    // Tolerance: 1e-6 of the fit, and the rounding of floats.
     PALPATE_CHECK_NEAR(
       array(filter, "ResponseForce")->GetComponent(40, k), stiffness * depth, 2e-6 * depth);
   }
 }
 
-/// The end of the data, computed by hand: for a paraboloid of 6.35 mm at a depth of 0.5 mm on E*
-/// the force is F₁ and the contact radius a₁ = √(R δ).
+/// The end of the data, computed by hand: a paraboloid of 6.35 mm at a depth of 0.5 mm has the
+/// force F₁ and the contact radius a₁ = √(R δ).
 void checkDataEnd(const std::string& folder)
 {
   const double depth = 0.5;
@@ -149,7 +150,7 @@ void checkDataEnd(const std::string& folder)
   {
     const MeasuredFilter filter = measure(planeBody(12.0, 8), file, tool);
     filter->Update();
-    // A tolerance of 1e-3 of force or stiffness applies: 1e-3 to 2e-3 of the depth.
+    // Force or stiffness have a tolerance of 1e-3, which is 1e-3 to 2e-3 of the depth.
     PALPATE_CHECK_NEAR(
       array(filter, "ResponseValidity")->GetTuple1(40), validity, 2.5e-3 * validity + 1e-6);
     PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(40) == limit);
@@ -157,13 +158,13 @@ void checkDataEnd(const std::string& folder)
   expect("paraboloid:6.35", depth, 6);
   // A blunter tip reaches the contact radius first: a² = R δ.
   expect("paraboloid:50", radius * radius / 50.0, 6);
-  // A sharper one would reach the force first; a flat reaches its strain limit, δ/a = 0.4, before
-  // that.
+  // A sharper tip reaches the force first. A flat end reaches its strain limit, δ/a = 0.4, before
+  // the force.
   expect("paraboloid:4", std::pow(force / (4.0 / 3.0 * Modulus * 2.0), 2.0 / 3.0), 6);
   expect("flat:1.6", std::min(0.4 * 1.6, force / (2.0 * 1.6 * Modulus)), 6);
-  // Wider than any measured contact: nothing is known.
+  // The tool is wider than any measured contact, so its validity is 0.
   expect("flat:2", 0.0, 6);
-  // With a sharp tip the strain limit comes first, as its first violated assumption: a/R = 0.4, δ =
+  // With a sharp tip the strain limit comes first, as the first violated assumption: a/R = 0.4, δ =
   // a²/R.
   const MeasuredFilter filter = measure(planeBody(12.0, 8), file, "paraboloid:1");
   filter->SetErrorTolerance(0.0);
@@ -178,8 +179,9 @@ vtkIdType pointAt(vtkPolyData* body, double x, double y, double z)
   return body->vtkDataSet::FindPoint(x, y, z);
 }
 
-/// The error between sites is their difference. Halfway between E* and 1.4 E* the forces are those
-/// of 1.2 E*, from which both differ by a sixth. On a site it is the error of the fit alone.
+/// The error between two sites is their difference: halfway between E* and 1.4 E* the force is that
+/// of 1.2 E*, which differs from both sites by a sixth. At a site the error is that of the fit
+/// alone.
 void checkErrorBetweenSites(const std::string& folder)
 {
   const std::string file = writeCurves(folder + "/two.csv", "paraboloid:6.35",
@@ -194,21 +196,21 @@ void checkErrorBetweenSites(const std::string& folder)
   for (const int sample : { 1, 5 })
   {
     PALPATE_CHECK(at(-3.0, sample) > 0.0 && at(-3.0, sample) < 0.02);
-    // ln 1.4 / 2, and strain less than 1 % at ν = 0.45.
+    // ln 1.4 / 2, plus less than 1 % for the strain at ν = 0.45.
     PALPATE_CHECK_NEAR(at(0.0, sample), 0.5 * std::log(1.4), 0.02);
   }
   PALPATE_CHECK(array(filter, "ResponseLimit")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 6);
   PALPATE_CHECK(array(filter, "ResponseValidity")->GetTuple1(pointAt(body, 0.0, 0.0, 0.0)) == 0.0);
-  // Out of reach there is no statement.
+  // Points out of reach have no error.
   filter->SetReach(5.0);
   filter->Update();
   PALPATE_CHECK(
     std::isnan(array(filter, "ResponseError")->GetComponent(pointAt(body, 12.0, 12.0, 0.0), 0)));
 }
 
-/// A ball measured with one paraboloid is applied to others. The error is that of the curvature: by
-/// Hertz, F is proportional to √(1/(1/R + 1/B)), and the readings with R already contain √(1/(1 +
-/// R/B)).
+/// A ball is measured with one paraboloid, and the result is applied to other paraboloids. The
+/// error is that of the curvature: by Hertz F is proportional to √(1/(1/R + 1/B)), and the readings
+/// with R already contain √(1/(1 + R/B)).
 void checkErrorOfCurvature(const std::string& folder)
 {
   const double ball = 60.0;
@@ -229,8 +231,8 @@ void checkErrorOfCurvature(const std::string& folder)
       const double error = array(filter, "ResponseError")->GetComponent(pole, k);
       const double off = std::abs(force / hertz(effective(radius), Modulus)(depth) - 1.0);
       PALPATE_CHECK(off <= error);
-      // It also contains the deflection of the whole body, the curvature of the mesh and strain: a
-      // few per cent.
+      // The stated error also contains the deflection of the whole body, the curvature of the mesh
+      // and the strain, which are a few per cent.
       PALPATE_CHECK(error <= 2.0 * off + 0.04);
     }
   }

@@ -15,7 +15,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Modulus = 0.05; // E*, slow, MPa
+constexpr double Modulus = 0.05; // slow E*, MPa
 constexpr double R = 6.35;
 const char* const Tip = "paraboloid:6.35";
 
@@ -39,7 +39,7 @@ RampAndHold testOf(const palpate::PronySeries& series)
   RampAndHold test;
   test.series = series;
   test.c = hertz(R, Modulus)(1.0);
-  test.depth = 0.9; // within small strain
+  test.depth = 0.9; // a depth within small strain
   return test;
 }
 
@@ -87,7 +87,8 @@ void checkOneSite(const std::string& folder)
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  // The smallest noise, 0.3 % in 200 readings: an error of a few in a thousand.
+  // The smallest assumed noise, 0.3 % of the force, gives an error of a few thousandths with 200
+  // readings.
   const double found = siteNumber(filter, 0, "ReducedModulus (MPa)");
   PALPATE_CHECK_NEAR(found, Modulus, 2e-3 * Modulus);
   PALPATE_CHECK_NEAR(siteNumber(filter, 0, "ContactOffset (mm)"), 0.2, 1e-3);
@@ -124,7 +125,7 @@ void checkOneSite(const std::string& folder)
   PALPATE_CHECK_TEXT(model ? model->GetValue(0) : std::string(), "half-space, relaxing 0.",
     "determined", "identified from measured curves");
 
-  // The stored curve is the slow one, equal to that of the same body with given material.
+  // The stored curve is the slow curve, equal to that of the same body with given material.
   vtkNew<vtkToolContactResponse> given;
   given->SetInputData(body);
   given->SetTool(makeTool("sphere:1.6"));
@@ -135,13 +136,13 @@ void checkOneSite(const std::string& folder)
   for (int k = 0; k < 8; ++k)
   {
     PALPATE_CHECK_NEAR(array(filter, "ResponseForce")->GetComponent(40, k),
-      slow->GetComponent(40, k), 1e-6 * slow->GetComponent(40, k)); // floats
+      slow->GetComponent(40, k), 1e-6 * slow->GetComponent(40, k)); // stored as floats
   }
-  // The uncertainty from the readings is small and stated.
+  // The uncertainty from the readings is stated and small.
   const double error = array(filter, "ResponseError")->GetComponent(40, 1);
   PALPATE_CHECK(error > 0.0 && error < 0.05);
 
-  // The whole history, including the loop, in the order of time.
+  // The table contains the whole history, including the loop, in the order of time.
   auto* readings = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
   PALPATE_CHECK(readings->GetNumberOfRows() == 211);
   const RampAndHold test = testOf(series(0.6, 0.4));
@@ -152,7 +153,7 @@ void checkOneSite(const std::string& folder)
     PALPATE_CHECK(t >= before);
     before = t;
     PALPATE_CHECK_NEAR(readings->GetValueByName(i, "ModelForce (N)").ToDouble(),
-      t > 0.0 ? test.forceAt(t) : 0.0, 5e-3 * test.c); // 0.3 % of the force, as above
+      t > 0.0 ? test.forceAt(t) : 0.0, 5e-3 * test.c); // 0.3 % of the force
   }
   vtkNew<vtkMeasuredCurves> curves;
   curves->SetInputData(readings);
@@ -188,7 +189,7 @@ void checkTwoSites(const std::string& folder)
   PALPATE_CHECK_NEAR(at(-6.0, 1), 0.4, 0.02);
   PALPATE_CHECK_NEAR(at(6.0, 0), 1.2, 0.03);
   PALPATE_CHECK_NEAR(at(6.0, 1), 0.2, 0.02);
-  PALPATE_CHECK_NEAR(at(0.0, 0), 0.9, 0.03); // half of each
+  PALPATE_CHECK_NEAR(at(0.0, 0), 0.9, 0.03); // half-way between the sites: the mean strength
   PALPATE_CHECK(at(29.0, 0) == 0.0);
   PALPATE_CHECK_NEAR(mean->GetTuple1(0), 0.9, 0.03);
   PALPATE_CHECK_NEAR(fieldArray(filter, "ResponseRelaxationTime")->GetTuple1(1), 2.0, 0.1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites of measured curves on a body: their reach, which does not cross a thin lobe, their
-// registration, and the rejected ones.
+// Sites of measured curves on a body: their reach, which does not extend to the other side of a
+// thin lobe, their registration, and rejected sites.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -20,7 +20,7 @@ vtkDataArray* array(vtkMeasuredContactResponse* filter, const char* name)
   return filter->GetOutput()->GetPointData()->GetArray(name);
 }
 
-/// Two sites on a plane, and the places between and beyond them.
+/// Two sites on a plane: moduli between the sites and out of their reach.
 void checkSpread(const std::string& folder)
 {
   const std::string file = writeCurves(folder + "/two.csv", Tip,
@@ -47,7 +47,8 @@ void checkSpread(const std::string& folder)
       PALPATE_CHECK(array(filter, "ResponseValidity")->GetTuple1(i) == 0.0);
       continue;
     }
-    // Shepard's weights 1/d², fading to 0 at the reach (Franke and Little 1980), by hand.
+    // Shepard's weights 1/d², which fall to 0 at the reach (Franke and Little 1980), computed by
+    // hand.
     const auto weight = [](double d)
     { return d < 15.0 ? std::pow((1.0 - d / 15.0) / std::max(d, 1e-12), 2.0) : 0.0; };
     const double share = weight(toB) / (weight(toA) + weight(toB));
@@ -55,8 +56,8 @@ void checkSpread(const std::string& folder)
   }
 }
 
-/// A thin plate of two sheets, 1 mm apart, one facing up and one down: a measurement on one does
-/// not apply to the other. The same with a rim that connects them.
+/// A thin plate of two sheets at a distance of 1 mm with opposite normals: a measurement on one
+/// sheet does not apply to the other. The same for a plate with a rim that connects the sheets.
 void checkThinLobe(const std::string& folder)
 {
   const std::string file =
@@ -80,7 +81,7 @@ void checkThinLobe(const std::string& folder)
       body->GetPoint(i, x);
       const bool above = x[2] == 0.5;
       const bool inside =
-        std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // at the edges normals point sideways
+        std::max(std::abs(x[0]), std::abs(x[1])) < 9.9; // at the edges the normals are not vertical
       const bool valid = array(filter, "ResponseStatus")->GetTuple1(i) == 0.0;
       PALPATE_CHECK(!valid || above);
       PALPATE_CHECK(valid || !above || !inside);
@@ -118,10 +119,11 @@ std::string writeText(const std::string& path, const std::string& text)
   return path;
 }
 
-/// The instrument's frame is rotated by 90° about z and moved by (1, 2, 3): x' = 1 - y, y' = 2 + x.
+/// The frame of the instrument is rotated by 90° about z and moved by (1, 2, 3): x' = 1 - y, y' = 2
+/// + x.
 void checkRegistration(const std::string& folder)
 {
-  // (0, 0, 0.25) in the body's frame.
+  // The site is at (0, 0, 0.25) in the frame of the body.
   const std::string file =
     writeCurves(folder + "/moved.csv", Tip, { { "A", { -2.0, 1.0, -2.75 }, hertz(R, Modulus) } });
   const MeasuredFilter filter = measure(planeBody(10.0, 10), file, "sphere:1.6");
@@ -147,8 +149,8 @@ void checkRegistration(const std::string& folder)
   check();
   PALPATE_CHECK_NEAR(filter->GetRegistrationResidual(), 0.0, 1e-13);
 
-  // Four corners of a square, moved out of plane by ±0.1 in turn: no rigid motion fits better, and
-  // every pair has a residual of exactly 0.1.
+  // Four corners of a square, moved out of the plane by ±0.1 in turn: no other rigid motion fits
+  // better, and every pair has a residual of exactly 0.1.
   filter->SetRegistrationFile(writeText(folder + "/rough.csv",
     columns + "0,0,0,1,2,3.1\n10,0,0,1,12,2.9\n10,10,0,-9,12,3.1\n0,10,0,-9,2,2.9\n"));
   filter->Update();
@@ -212,7 +214,7 @@ void checkProperties(const std::string& folder)
   filter->SetPoissonRatio(0.7);
   refuse({ "Poisson's Ratio", "0.7" });
   filter->SetPoissonRatio(0.45);
-  filter->SetMaximumDeflection(-2.0); // for the inner filter
+  filter->SetMaximumDeflection(-2.0); // rejected by the inner filter
   refuse({ "Maximum Deflection", "-2" });
   filter->SetMaximumDeflection(2.0);
   filter->SetTool(nullptr);

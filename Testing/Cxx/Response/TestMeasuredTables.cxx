@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measured curves as tables: the same bodies as from files, bit for bit; and their chart.
+// Measured curves from tables: the results are bit for bit those from files. Also the chart of the
+// curves.
 #include "FilterChecks.h"
 #include "MeasuredFiles.h"
 
@@ -28,7 +29,7 @@ std::string makeFile(const std::string& path)
     1.5, 0.3, 1e-4);
 }
 
-/// The rows of a file of curves, as a .csv reader gives them, with numeric columns.
+/// Reads the rows of a file of curves as a .csv reader does, with numeric columns.
 Table readTable(const std::string& path)
 {
   std::ifstream file(path);
@@ -119,12 +120,11 @@ void checkSameAsFile(const std::string& folder)
           vtkDataArray::SafeDownCast(rows->GetColumnByName(expected->GetColumnName(i))), numbers));
     }
   }
-  // From such curves without noise the kernel's own tests are accurate to 1e-9 and better; here
-  // floats.
+  // Without noise the tests of the kernel are accurate to 1e-9 and better. Here the curves are
+  // stored as floats.
   PALPATE_CHECK_NEAR(siteNumber(fromTable, 1, "ReducedModulus (MPa)"), 1.7 * Modulus, 1e-3);
 
-  // A second table with another tool at the same sites is not for this property. The same tool two
-  // times is an error, as for files.
+  // The same tool twice at a site is an error, as for files.
   const MeasuredFilter both = measureTable(body, table);
   both->AddFileName(file);
   Messages complaints(both.Get());
@@ -166,7 +166,7 @@ void checkErrors(const std::string& folder)
   more->SetNumberOfValues(table->GetNumberOfRows());
   more->Fill(0);
   wrong->DeepCopy(table);
-  wrong->AddColumn(more); // an unused column
+  wrong->AddColumn(more); // a column that is not used
   const MeasuredFilter filter = measureTable(body, wrong);
   Messages messages(filter.Get());
   filter->Update();
@@ -178,7 +178,8 @@ void checkErrors(const std::string& folder)
   refuse(comment, Tip, { "Table 0", "'# tool: sphere:3'", "without the comments" });
 }
 
-/// The readings of two sites side by side, sorted, with the model's curves.
+/// The chart has the readings of two sites next to each other, sorted, with the curves of the
+/// model.
 void checkChart(const std::string& folder)
 {
   const MeasuredFilter filter =
@@ -202,8 +203,8 @@ void checkChart(const std::string& folder)
     PALPATE_CHECK(
       std::isnan(number(there + " measured (N)")) && std::isnan(number(there + " model (N)")));
     const double law = depth > 0.0 ? hertz(R, first ? Modulus : 1.7 * Modulus)(depth) : 0.0;
-    // Noise of 1e-4 N: none of 142 readings deviates by 6 standard deviations. The model with the
-    // identified offset deviates much less.
+    // The noise is 1e-4 N. None of 142 readings deviates by 8 standard deviations. The model with
+    // the identified offset deviates less.
     PALPATE_CHECK_NEAR(number(here + " measured (N)"), law, 8e-4);
     PALPATE_CHECK_NEAR(number(here + " model (N)"), law, 3e-4);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged response arrays: a sound body, changed at random in one to three places, in every reader
-// of responses. Each reader reports an error or gives finite results; VTK itself must not complain
-// (its output would fail the test). The second argument is the number of bodies. A failure reports
-// the number of the body, which is its seed.
+// Damaged response arrays: a valid body, changed at random in one to three places, is given to
+// every filter that reads responses. Each filter must report an error or give finite results, and
+// VTK itself must not report anything (this would fail the test). The second argument is the number
+// of bodies. A failure reports the number of the body, which is its seed.
 #include "Response/BodyConversion.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -37,7 +37,7 @@ using namespace palpate::testing;
 using palpate::Infinity;
 using palpate::NotANumber;
 
-/// The random choices for one body.
+/// Random numbers and choices for one body.
 class Dice
 {
 public:
@@ -79,7 +79,7 @@ Body onALayer(const Body& body)
   return layered;
 }
 
-/// The same with one global mode.
+/// The same body with one global mode.
 Body bending(const Body& body)
 {
   Body bent = Body::New();
@@ -99,7 +99,7 @@ Body bending(const Body& body)
   return bent;
 }
 
-/// The same body relaxing, in every form.
+/// The same body with relaxation, in every form.
 Body relaxing(const Body& body)
 {
   Body relaxed = Body::New();
@@ -118,7 +118,8 @@ Body relaxing(const Body& body)
   return relaxed;
 }
 
-/// A response per point, or law and coefficients; with the arrays for a regime.
+/// Bodies with a response per point, or with laws and coefficients, and with the arrays for a
+/// regime.
 std::vector<Body> soundBodies()
 {
   const Body plane = planeBody(10.0, 2);
@@ -148,7 +149,7 @@ vtkSmartPointer<vtkAbstractArray> anotherType(Dice& dice)
   }
 }
 
-/// The same array with another type or shape, with the values that still fit.
+/// An array of another type or shape with as many of the values as fit.
 vtkSmartPointer<vtkAbstractArray> reshaped(vtkAbstractArray* array, Dice& dice)
 {
   vtkSmartPointer<vtkAbstractArray> other = anotherType(dice);
@@ -173,7 +174,7 @@ vtkSmartPointer<vtkAbstractArray> reshaped(vtkAbstractArray* array, Dice& dice)
   return other;
 }
 
-/// The nearest value that an array can hold.
+/// The nearest value that the array can hold.
 double fitting(vtkDataArray* array, double value)
 {
   const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
@@ -194,7 +195,7 @@ void spoilText(vtkStringArray* text, Dice& dice)
       "profile:0,0;1,1e-300", "power:1e9,1", "\xff\xfe", "%s%n" }));
 }
 
-/// Spoils one value, a few, or all.
+/// Changes one value, a few, or all.
 void spoilNumbers(vtkDataArray* numbers, Dice& dice)
 {
   const double value = fitting(numbers, dice.number());
@@ -287,7 +288,7 @@ bool isFinite(vtkFieldData* data, std::initializer_list<const char*> names)
   return true;
 }
 
-/// One history and some single tips; they are not spoiled.
+/// Tips of one history and some single tips. They are not changed.
 Body soundTips()
 {
   vtkNew<vtkPoints> points;
@@ -307,7 +308,7 @@ Body soundTips()
   return tips;
 }
 
-/// Every reader of responses, made once.
+/// All filters that read responses, made once.
 class Readers
 {
 public:
@@ -323,7 +324,7 @@ public:
     this->Touch->SetTipPosition(0.5, 0.7, 8.0);
   }
 
-  /// True if all readers behaved as required.
+  /// True if all filters behaved as required.
   bool read(vtkPolyData* body, Dice& dice)
   {
     this->Probe->SetForceForm(dice.below(3));
@@ -337,7 +338,7 @@ public:
       this->update(this->Field, body, { "ContactDisplacement" }) &&
       this->update(this->Regime, body, {}) && this->update(this->Reduce, body, {}) &&
       this->update(this->Choose, body, {}) && this->update(this->Curves, body, {}) &&
-      // Drawing a tool takes fifty times as long as all the rest.
+      // Drawing a tool takes fifty times as long as the other filters together.
       (dice.below(50) > 0 || this->update(this->Touch, body, {}));
   }
 
@@ -361,7 +362,8 @@ private:
 
   Body Tips;
   vtkNew<vtkToolContactProbe> Probe;
-  Messages ProbeMessages{ this->Probe.Get() }; // the filters that take its output run it again
+  // filters that take the output of the probe run the probe again
+  Messages ProbeMessages{ this->Probe.Get() };
   vtkNew<vtkContactDeflection> Field;
   vtkNew<vtkContactRegime> Regime;
   vtkNew<vtkReducedContactResponse> Reduce;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkNoduleDetectability: its responses against vtkElasticContactResponse, changes by brute force,
-// the data kept for the next tool, threads, faults, abort. Against a table: TestNoduleTable.
+// vtkNoduleDetectability: its responses against vtkElasticContactResponse, its changes against a
+// search over all samples, solutions kept for the next tool, threads, faults, abort.
+// TestNoduleTable compares with a table.
 #include "AbortedFilter.h"
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
@@ -18,7 +19,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// A block of 10 x 10 x 4 mm with a hard ball in the middle.
+/// A block of 10 x 10 x 4 mm with a hard ball in its middle.
 Grid smallBody()
 {
   return withNodule(block(10, 4), 5.0, 5.0, 2.2, 1.2, 10.0);
@@ -42,7 +43,7 @@ vtkDataArray* arrayOf(vtkPolyDataAlgorithm* filter, const std::string& name)
   return filter->GetOutput()->GetPointData()->GetArray(name.c_str());
 }
 
-/// Both responses equal those of vtkElasticContactResponse to the bit.
+/// Both responses are bit for bit those of vtkElasticContactResponse.
 void checkResponses()
 {
   const Grid grid = smallBody();
@@ -53,7 +54,7 @@ void checkResponses()
   vtkNew<vtkElasticContactResponse> one;
   one->SetInputData(grid);
   one->SetMaximumDeflection(0.5);
-  // The sphere has the widest contact, which determines the solutions.
+  // The sphere has the widest contact, which determines the number of solutions.
   one->SetLargestContactRadius(1.42 * makeTool("sphere:2")->GetContactRadius(0.5));
   for (const bool with : { true, false })
   {
@@ -80,7 +81,7 @@ void checkResponses()
   PALPATE_CHECK(arrayOf(bare, "ForceChange")->GetNumberOfComponents() == 1);
 }
 
-/// The changes by brute force, from curves of many samples.
+/// The changes against the largest change over the samples of curves with many samples.
 void checkChanges()
 {
   const Grid grid = smallBody();
@@ -105,7 +106,7 @@ void checkChanges()
     PALPATE_CHECK(arrayOf(filter, "ChangeDepth")->GetTuple1(i) <= 0.5 + 1e-6);
     if (range != arrayOf(filter, "ResponseWithoutRange")->GetTuple1(i))
     {
-      continue; // their samples have other depths
+      continue; // the samples of the two curves have different depths
     }
     ++known;
     double most = 0.0;
@@ -124,7 +125,7 @@ void checkChanges()
         stiffness = changeOf("Stiffness");
       }
     }
-    // The error between 64 samples is a hundredth of the largest change. Near a flat maximum, its
+    // Between 64 samples the error is a hundredth of the largest change. Near a flat maximum the
     // depth, and with it the stiffness, may differ.
     PALPATE_CHECK_NEAR(change, most, 0.01 * std::abs(most) + 1e-5);
     PALPATE_CHECK_NEAR(arrayOf(filter, "StiffnessChange")->GetTuple1(i), stiffness,
@@ -132,7 +133,7 @@ void checkChanges()
   }
   PALPATE_CHECK(known > 30);
 
-  // Validity ends before the range: the search goes no deeper.
+  // The search does not go beyond the validity, which ends before the range.
   filter->WithinValidityOn();
   filter->Update();
   for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
@@ -151,7 +152,7 @@ void checkChanges()
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
 }
 
-/// Without nodules nothing is detected.
+/// A body without nodules has no detectable change.
 void checkNothing()
 {
   vtkNew<vtkNoduleMaterial> plain;
@@ -178,7 +179,7 @@ void checkKeptAndThreads()
   filter->SetThreshold(0.05);
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfSolutions() == 0);
-  filter->AddMoreTool("sphere:8"); // its contact is wider
+  filter->AddMoreTool("sphere:8"); // this tool has a wider contact
   filter->Update();
   PALPATE_CHECK(filter->GetNumberOfSolutions() == solved);
   const vtkSmartPointer<vtkDataArray> expected = arrayOf(filter, "ForceChange");

@@ -37,7 +37,7 @@ vtkIdType cellAt(int i, int j, int k)
   return (static_cast<vtkIdType>(k) * Side + j) * Side + i;
 }
 
-/// The same block with points moved so that cells are neither boxes nor equal.
+/// The same block with moved points, so that its cells are neither boxes nor equal.
 Grid skewed()
 {
   const Grid grid = block(Side, Height, VTK_HEXAHEDRON);
@@ -51,7 +51,7 @@ Grid skewed()
   return grid;
 }
 
-/// The volume of a cell; of a hexahedron by its tetrahedra.
+/// The volume of a cell; that of a hexahedron is the sum of its tetrahedra.
 double volumeOf(vtkCell* cell)
 {
   std::array<std::array<double, 3>, 8> x{};
@@ -100,13 +100,13 @@ void checkVolume()
       sum += valueOf(filter, "NoduleFraction", i) * volumeOf(grid->GetCell(i));
     }
     const double ball = 4.0 / 3.0 * std::acos(-1.0) * std::pow(3.1, 3);
-    // Some hundred cut cells, each within a few per cent, of either sign. The tetrahedra of a
-    // skewed hexahedron ignore its curved sides.
+    // Each of some hundred cut cells has an error of a few per cent, of either sign. The tetrahedra
+    // of a skewed hexahedron do not follow its curved sides.
     PALPATE_CHECK_NEAR(sum, ball, 0.005 * ball);
   }
 }
 
-/// A sphere whose surface is nearly a plane fills known fractions.
+/// A sphere whose surface is nearly a plane, so that the filled fractions are known.
 void checkMixing()
 {
   const Grid grid = block(Side, Height);
@@ -129,7 +129,7 @@ void checkMixing()
   }
 }
 
-/// Two half-spaces that share a cell, and two that overlap.
+/// Two nodules that are nearly half-spaces in one cell, and two nodules that overlap.
 void checkSeveral()
 {
   const Grid grid = block(Side, Height);
@@ -140,13 +140,14 @@ void checkSeveral()
   filter->Update();
   const vtkIdType cell = cellAt(6, 6, 6);
   PALPATE_CHECK_NEAR(valueOf(filter, "NoduleFraction", cell), 0.75, 1e-12);
-  // All are harder than the surrounding material: one harmonic mean of the three, in any order.
+  // All nodules are harder than the surrounding material, so the modulus is one harmonic mean of
+  // the three, in any order.
   PALPATE_CHECK_NEAR(
     valueOf(filter, "YoungsModulus", cell), 1.0 / (0.25 + 0.25 / 10.0 + 0.5 / 5.0), 1e-2);
   PALPATE_CHECK(filter->GetNumberOfNodules() == 2);
   filter->ClearNodules();
   filter->AddNodule(6.5, 6.5, 6.5, 3.0, 10.0);
-  filter->AddNodule(6.5, 6.5, 6.5, 2.0, 0.5); // a soft core: the last nodule counts
+  filter->AddNodule(6.5, 6.5, 6.5, 2.0, 0.5); // a soft core: the nodule that was added last counts
   filter->Update();
   PALPATE_CHECK(valueOf(filter, "YoungsModulus", cell) == 0.5);
   PALPATE_CHECK(valueOf(filter, "YoungsModulus", cellAt(4, 6, 6)) > 0.5);
@@ -160,7 +161,7 @@ void checkArrays()
   const Material filter = inserted(grid);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "E");
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Nu");
-  filter->AddNodule(6.5, 6.5, 6.5, 3.0, 20.0); // ν of the surrounding material
+  filter->AddNodule(6.5, 6.5, 6.5, 3.0, 20.0); // has the ν of the surrounding material
   filter->Update();
   for (const vtkIdType cell : { cellAt(0, 0, 0), cellAt(6, 6, 6) })
   {
@@ -171,7 +172,7 @@ void checkArrays()
   PALPATE_CHECK(!grid->GetCellData()->HasArray("YoungsModulus")); // the input is not changed
   PALPATE_CHECK(filter->GetOutput()->GetPointData()->HasArray("Fixed"));
 
-  const Material none = inserted(grid); // without nodules only the arrays
+  const Material none = inserted(grid); // without nodules only the arrays are added
   none->Update();
   PALPATE_CHECK(valueOf(none, "YoungsModulus", 0) == 1.0);
   const Material empty = inserted(Grid::New());

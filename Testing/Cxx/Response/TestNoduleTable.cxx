@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkNoduleMaterial and vtkNoduleDetectability against an axisymmetric code with meshes that follow
-// the ball (Data/Reference/shape/nodule_forces.csv): the change of the force for three tools.
+// vtkNoduleMaterial and vtkNoduleDetectability against an axisymmetric code whose meshes follow the
+// ball (Data/Reference/shape/nodule_forces.csv): the change of the force for three tools.
 #include "FilterChecks.h"
 #include "NoduleBodies.h"
 #include "ReferenceTable.h"
@@ -18,7 +18,8 @@ namespace
 {
 using namespace palpate::testing;
 
-/// From 0 outwards: steps of 1 mm up to `fine`, then growing up to `end`, mirrored if `both`.
+/// Coordinates from 0 outwards: steps of 1 mm up to `fine`, then growing steps up to `end`;
+/// mirrored if `both`.
 std::vector<double> graded(double fine, double end, bool both)
 {
   std::vector<double> half = { 0.0 };
@@ -38,9 +39,9 @@ std::vector<double> graded(double fine, double end, bool both)
   return line;
 }
 
-/// A body like the table's cylinder (radius 60 mm, height 40 mm): 106 x 106 x 40 mm, held below and
-/// at its sides, which change the force by less than 0.1 %. Its top is z = 0, with fine cells
-/// around a nodule of 3 mm in the middle.
+/// A body that is equivalent to the table's cylinder (radius 60 mm, height 40 mm): 106 x 106 x 40
+/// mm, held at the bottom and at its sides, which change the force by less than 0.1 %. Its top is z
+/// = 0. Cells are fine around a nodule of 3 mm in the middle.
 Grid tableBody(double depth)
 {
   const std::vector<double> x = graded(4.0, 53.0, true);
@@ -89,7 +90,7 @@ double valueAt(
 
 const std::vector<std::string> Tools = { "flat:1.6", "sphere:1.6", "sphere:6.35" };
 
-/// Largest change of a tool's force over the table's depths, and the last of these depths.
+/// Largest change of a tool's force over the depths of the table, and the largest depth.
 std::pair<double, double> tableChange(const std::string& tool, double depth, double ratio)
 {
   const ReferenceTable table("shape/nodule_forces.csv");
@@ -115,7 +116,7 @@ void checkTable(double depth, double ratio, double allowed)
   const Detectability filter = felt(grid, Tools[0], 1.2);
   filter->AddMoreTool(Tools[1]);
   filter->AddMoreTool(Tools[2]);
-  filter->SetMaximumDeflection(0.8); // the largest depth of the table for the small tools
+  filter->SetMaximumDeflection(0.8); // largest depth of the table for the small tools
   filter->SetSourceSpacing(1.0);
   filter->SetSourceSpacingWithout(8.0);
   Messages messages(filter.Get());
@@ -145,8 +146,8 @@ void checkTable(double depth, double ratio, double allowed)
 
 int TestNoduleTable(int, char*[])
 {
-  // Tolerances of the kernel's own tests, relative to the force with the nodule: mixed cells of 1
-  // mm, 1.5 % from 2 mm on, 4 % at 1 mm.
+  // Tolerances of the kernel's tests for mixed cells of 1 mm, relative to the force with the
+  // nodule: 1.5 % at depths from 2 mm on, 4 % at 1 mm.
   checkTable(2.0, 10.0, 0.015);
   checkTable(2.0, 0.2, 0.015);
   checkTable(1.0, 10.0, 0.04);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A response for chosen points: the bits are those of a response for all points, the other points
-// have no curve and give no force, and a wrong array is an error.
+// A response for chosen points: the bits are those of a response for all points. The other points
+// have no curve and give no force, and an invalid array is an error.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -37,7 +37,7 @@ void choose(vtkToolContactResponse* filter)
 Body layeredBody()
 {
   Body body = sphereBody(30.0, 3);
-  // Some points are on a half-space, and at 0.01 mm the law has no answer.
+  // Some points are on a half-space. For a thickness of 0.01 mm the law has no result.
   pointArray(
     body, "Thickness", [](vtkIdType i) { return i % 5 == 0 ? 0.0
                                            : i % 11 == 0   ? 0.01
@@ -103,7 +103,8 @@ void checkBits()
   PALPATE_CHECK(all->GetTermReason() == some->GetTermReason());
 }
 
-/// The probe finds a force on a triangle whose three corners are chosen, and none where one is not.
+/// The probe finds a force on a triangle whose three corners are chosen, and no force if one corner
+/// is not chosen.
 void checkProbe()
 {
   Body plane = planeBody(10.0, 2);
@@ -125,7 +126,7 @@ void checkProbe()
   PALPATE_CHECK(force->GetTuple1(1) == 0.0);
 }
 
-/// Where points coincide, each of them chooses the place.
+/// If points have the same position, choosing one of them chooses all.
 void checkSplitPoints()
 {
   Body sphere = sphereBody(30.0, 2);
@@ -184,7 +185,7 @@ void checkErrors()
   PALPATE_CHECK_TEXT(
     messages.takeErrors(), "Array 'Chosen' must have 1 component and 642 tuples, but has 2");
 
-  // An empty name takes the choice back.
+  // An empty name removes the choice.
   filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   filter->Update();
   PALPATE_CHECK(messages.errors().empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The probe's copy of the body: progress while it is built, and one warning for all mesh defects.
+// The probe's copy of the body: progress while the copy is built, and one warning for all defects
+// of the mesh.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -43,7 +44,7 @@ void checkProgress()
   probe->SetInputData(withResponse(sphereBody(20.0, 5), "sphere:5"));
   probe->SetTipData(oneTip(0.0, 0.0, 19.5));
   const std::vector<double> told = progressOf(probe);
-  PALPATE_CHECK(told.size() > 4); // begin, at least three steps between, end
+  PALPATE_CHECK(told.size() > 4); // begin, at least three steps in between, end
   PALPATE_CHECK(!told.empty() && told.front() == 0.0 && told.back() == 1.0);
   int between = 0;
   for (std::size_t i = 1; i < told.size(); ++i)
@@ -53,7 +54,8 @@ void checkProgress()
   }
   PALPATE_CHECK(between >= 3);
   probe->SetTipData(
-    oneTip(0.0, 0.0, 19.4)); // the body is kept, so there is no progress from building it
+    // the copy of the body is kept, so no progress is reported for building it
+    oneTip(0.0, 0.0, 19.4));
   PALPATE_CHECK(progressOf(probe).size() <= 2);
 }
 
@@ -70,7 +72,7 @@ void checkSoundBodies()
   }
 }
 
-/// A plate with two flipped triangles, one without area, and three at one edge.
+/// A plate with two reversed triangles, one triangle without area, and three triangles at one edge.
 Body unsoundPlate()
 {
   const Body plate = withResponse(planeBody(5.0, 8), "flat:1");
@@ -86,8 +88,10 @@ Body unsoundPlate()
     const bool isTurned = cell == 40 || cell == 90;
     triangles->InsertNextCell({ corner[0], corner[isTurned ? 2 : 1], corner[isTurned ? 1 : 2] });
   }
-  triangles->InsertNextCell({ vtkIdType(0), vtkIdType(1), vtkIdType(1) }); // no area
-  triangles->InsertNextCell({ vtkIdType(30), vtkIdType(31), points - 1 }); // third on its edge
+  // a triangle without area
+  triangles->InsertNextCell({ vtkIdType(0), vtkIdType(1), vtkIdType(1) });
+  // a third triangle at its edge
+  triangles->InsertNextCell({ vtkIdType(30), vtkIdType(31), points - 1 });
   body->SetPolys(triangles);
   return body;
 }
@@ -106,11 +110,12 @@ void checkUnsoundBody()
     "1 triangle without area: left out", "1 edge of more than two triangles");
   PALPATE_CHECK(messages.errors().empty());
   PALPATE_CHECK(warning.find("joined") == std::string::npos);
-  // It is evaluated like a sound body: a punch of radius 1, F = 2 E* δ.
+  // The plate is evaluated as a valid body: a punch of radius 1 has F = 2 E* δ.
   PALPATE_CHECK_NEAR(probe->GetOutput()->GetPointData()->GetArray("NormalForce")->GetTuple1(0),
     2.0 * 3.45 * 0.5, 1e-6); // stored as floats
 
-  // Reported once: not for other tips, other settings or another response of the same body.
+  // The defects are reported once, and not again for other tips, other settings or another response
+  // of the same body.
   messages.clear();
   probe->SetTipData(oneTip(2.1, -1.1, -0.4));
   probe->Update();
@@ -122,7 +127,7 @@ void checkUnsoundBody()
   probe->SetResponseName("Response");
   probe->Update();
   PALPATE_CHECK(messages.none());
-  // Reported again after the body has changed.
+  // They are reported again after the body has changed.
   body->GetPoints()->SetPoint(80, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   body->GetPoints()->Modified();
   probe->Update();
@@ -131,7 +136,7 @@ void checkUnsoundBody()
     "2 triangles wound inward or against their neighbours");
 }
 
-/// Separate corners for every triangle, as in an STL file.
+/// Separate corners for each triangle, as in an STL file.
 void checkSeparateTriangles()
 {
   const Body whole = withResponse(boxBody(5.0, 5.0, 5.0, 2), "flat:1");
@@ -155,7 +160,7 @@ void checkSeparateTriangles()
   probe->SetInputData(withResponse(soup, "flat:1"));
   probe->SetTipData(oneTip(0.4, 0.3, 4.5));
   probe->Update();
-  PALPATE_CHECK(messages.none()); // joined points are no defect
+  PALPATE_CHECK(messages.none()); // joining points is not a defect
   PALPATE_CHECK_NEAR(
     probe->GetOutput()->GetPointData()->GetArray("Deflection")->GetTuple1(0), 0.5, 1e-14);
 }

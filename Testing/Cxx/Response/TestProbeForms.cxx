@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two forms of a force; points without a response; threads.
+// The two forms of a force, points without a response, threads.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "ProbedBall.h"
@@ -13,8 +13,8 @@ namespace
 {
 using namespace palpate::testing;
 
-/// Both force forms, computed from the curves and normals of the three corners, at the cell and
-/// contact point of the probe (checked by TestToolContactProbe).
+/// Both force forms against the curves and normals of the three corners, at the probe's cell and
+/// contact point, which TestToolContactProbe checks.
 void checkForceForms()
 {
   const Body body = heterogeneousBall("sphere:5");
@@ -61,7 +61,7 @@ void checkForceForms()
     vtkMath::Normalize(direction);
     for (int c = 0; c < 3; ++c)
     {
-      // About 1e-15 of rounding in forces below 20 N, and weights from coordinates of 20 mm.
+      // Rounding of about 1e-15 in forces below 20 N, and in weights from coordinates of 20 mm.
       PALPATE_CHECK_NEAR(paper->GetArray("Force")->GetComponent(i, c), sum[c], 1e-11);
       PALPATE_CHECK_NEAR(
         normalized->GetArray("Force")->GetComponent(i, c), magnitude * direction[c], 1e-11);
@@ -69,7 +69,8 @@ void checkForceForms()
     PALPATE_CHECK_NEAR(paper->GetArray("NormalForce")->GetTuple1(i), vtkMath::Norm(sum), 1e-11);
     largestLoss = std::max(largestLoss, 1.0 - vtkMath::Norm(sum) / magnitude);
   }
-  // Facets of h = 5.5 mm (162 points): h²/(6R²) = 1.2 % at the centroid; edges vary by a quarter.
+  // Facets of h = 5.5 mm (162 points) lose h²/(6R²) = 1.2 % at the centroid. The lengths of edges
+  // vary by a quarter.
   PALPATE_CHECK(contacts > 300 && largestLoss > 0.009 && largestLoss < 0.018);
 }
 
@@ -91,7 +92,7 @@ void checkThreads()
   }
 }
 
-/// A vertex without a response makes only the contacts on its triangles invalid.
+/// A vertex without a response makes only contacts on its triangles invalid.
 void checkPointWithoutResponse()
 {
   const Body body = heterogeneousBall("sphere:5");
@@ -106,7 +107,8 @@ void checkPointWithoutResponse()
     invalid += state == 5.0;
     PALPATE_CHECK((state == 5.0) <= (found->GetArray("NormalForce")->GetTuple1(i) == 0.0));
   }
-  PALPATE_CHECK(invalid > 10 && invalid < 200); // 5 or 6 of 320 triangles, of 1800 contacts
+  // 5 or 6 of 320 triangles, thus few of 1800 contacts
+  PALPATE_CHECK(invalid > 10 && invalid < 200);
 }
 } // namespace
 

@@ -17,9 +17,10 @@ using namespace palpate::testing;
 constexpr double Friction = 0.5;  // Coulomb's coefficient
 constexpr double Stiffness = 8.0; // N/mm
 constexpr double Depth = 1.0;     // mm
-constexpr double Young = 3.45;    // MPa, of withResponse, ν = 0
+constexpr double Young = 3.45;    // E of withResponse at ν = 0, MPa
 
-/// A plate under a paraboloid, whose law the samples store exactly except for float rounding.
+/// A plate with the response of a paraboloid, whose law is stored exactly except for float
+/// rounding.
 Body plate()
 {
   return withResponse(planeBody(10.0, 10), "paraboloid:2");
@@ -30,8 +31,8 @@ double normalForce(double depth)
   return makeTool("paraboloid:2")->GetForce(depth, Young);
 }
 
-/// Adds tips at x from `from` to `to` in equal steps, `Depth` deep, and makes a line through all
-/// tips.
+/// Adds tips at a depth of `Depth` and in equal steps of x from `from` to `to`. All tips form one
+/// line.
 void drag(vtkPolyData* tips, double from, double to, int steps)
 {
   vtkNew<vtkPoints> points;
@@ -72,7 +73,7 @@ double frictionAt(vtkToolContactProbe* probe, vtkIdType tip)
   probe->Update();
   double f[3];
   probe->GetOutput()->GetPointData()->GetArray("FrictionForce")->GetTuple(tip, f);
-  // Along x on a plane, except for the rounding of 3 N in the transported axes.
+  // On a plane friction is along x, except for the rounding of 3 N in the transported axes.
   PALPATE_CHECK(std::abs(f[1]) < 1e-14 && std::abs(f[2]) < 1e-14);
   return f[0];
 }
@@ -84,7 +85,8 @@ int stateAt(vtkToolContactProbe* probe, vtkIdType tip)
     probe->GetOutput()->GetPointData()->GetArray("ContactState")->GetTuple1(tip));
 }
 
-/// Elastic up to the breakaway, then sliding at Coulomb's limit, and elastic again on the way back.
+/// Elastic up to the breakaway, then sliding at Coulomb's limit, and elastic again in the opposite
+/// direction.
 void checkElastoPlastic(vtkPolyData* body)
 {
   const double limit = Friction * normalForce(Depth);
@@ -107,7 +109,7 @@ void checkElastoPlastic(vtkPolyData* body)
     PALPATE_CHECK_NEAR(frictionAt(probe, i), -limit + Stiffness * back, 1e-6 * limit);
     PALPATE_CHECK(stateAt(probe, i) == 1);
   }
-  // Force is the sum, friction is tangential.
+  // Force is the sum of normal force and friction, and friction is tangential.
   vtkPointData* felt = probe->GetOutput()->GetPointData();
   for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i)
   {
@@ -116,14 +118,15 @@ void checkElastoPlastic(vtkPolyData* body)
     PALPATE_CHECK_NEAR(force[0], frictionAt(probe, i), 1e-14);
     PALPATE_CHECK_NEAR(force[2], felt->GetArray("NormalForce")->GetTuple1(i), 1e-14);
   }
-  // The same path in twenty times as many steps.
+  // The same path in about twenty times as many steps.
   Body finer = Body::New();
   drag(finer, 0.0, 3.0 * elastic, 300);
   drag(finer, 3.0 * elastic, 2.0 * elastic, 100);
   const auto fine = makeProbe(body, finer, vtkToolContactProbe::ElastoPlastic);
   PALPATE_CHECK_NEAR(frictionAt(fine, 400), frictionAt(probe, 20), 1e-9 * limit);
 
-  // Without breakaway it creeps below the limit; a breakaway of 1 gives stick and slide.
+  // Without breakaway the contact creeps below the limit. With a breakaway of 1 it either sticks or
+  // slides.
   probe->SetFrictionBreakaway(0.0);
   PALPATE_CHECK(frictionAt(probe, 5) > -0.9999 * 0.75 * limit);
   probe->SetFrictionBreakaway(1.0);
@@ -135,7 +138,7 @@ void checkElastoPlastic(vtkPolyData* body)
   PALPATE_CHECK(stateAt(probe, 3) == 1);
 }
 
-/// Dahl's exponential, z = z_max (1 - e^(-u/z_max)).
+/// Dahl's exponential law: z = z_max (1 - e^(-u/z_max)).
 void checkDahl(vtkPolyData* body)
 {
   const double limit = Friction * normalForce(Depth);
@@ -150,7 +153,7 @@ void checkDahl(vtkPolyData* body)
   }
 }
 
-/// Jaeger's and Ciavarella's Q(u) = μ [f(δ) - f(δ - u/(μc))], c = (2-ν)/(2(1-ν)).
+/// Jaeger's and Ciavarella's law: Q(u) = μ [f(δ) - f(δ - u/(μc))], c = (2-ν)/(2(1-ν)).
 void checkShapeDerived(vtkPolyData* body)
 {
   for (const double poisson : { 0.0, 0.3, 0.5 })
@@ -165,10 +168,11 @@ void checkShapeDerived(vtkPolyData* body)
     {
       const double left = std::max(0.0, Depth - tips->GetPoint(i)[0] / (Friction * ratio));
       const double expected = -Friction * (normalForce(Depth) - normalForce(left));
-      // The number of springs and the error are those of Friction.h. With half of the range in use,
-      // the error never exceeds 3e-3 of the limit.
+      // Friction.h states the number of springs and the error. If half of the range is used, the
+      // error is at most 3e-3 of the limit.
       PALPATE_CHECK_NEAR(frictionAt(probe, i), expected, 3e-3 * Friction * normalForce(Depth));
-      PALPATE_CHECK(i == 10 || stateAt(probe, i) == (i < 10 ? 1 : 2)); // 10 is at the limit itself
+      // tip 10 is at the limit itself
+      PALPATE_CHECK(i == 10 || stateAt(probe, i) == (i < 10 ? 1 : 2));
     }
   }
 }
@@ -188,7 +192,7 @@ void checkSingleTips(vtkPolyData* body)
   }
 }
 
-/// The speed has no effect; and each polyline begins without displacement.
+/// The speed has no effect, and each polyline begins without displacement.
 void checkTimeAndLines(vtkPolyData* body)
 {
   for (const int model : { 0, 1, 2 })
@@ -226,7 +230,7 @@ void checkTimeAndLines(vtkPolyData* body)
     cut->SetLines(lines);
     probe->SetTipData(cut);
     PALPATE_CHECK(frictionAt(probe, 36) == 0.0);
-    PALPATE_CHECK(frictionAt(probe, 40) > 0.9 * whole); // smaller magnitude: both are negative
+    PALPATE_CHECK(frictionAt(probe, 40) > 0.9 * whole); // both are negative
   }
 }
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tips in the probe: histories on polylines, single queries, Indentation, borders, cells of a mixed
-// body, the copy of the body kept between updates, threads.
+// Tips in the probe: histories on polylines, single tips, Indentation, borders, cells of a mixed
+// body, the copy of the body that is kept between updates, threads.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -15,7 +15,7 @@ namespace
 using namespace palpate::testing;
 using palpate::NotANumber;
 
-constexpr double Young = 3.45; // as in withResponse
+constexpr double Young = 3.45; // E of withResponse, MPa
 
 using Points = std::vector<std::array<double, 3>>;
 
@@ -57,14 +57,14 @@ struct Probe
   }
 };
 
-/// A slab of thickness 1 from z = -0.5 to 0.5, entered from above at x = 0.3, y = 0.2.
+/// A slab of thickness 1 mm from z = -0.5 to 0.5. Tips enter it from above at x = 0.3, y = 0.2.
 Body slab()
 {
   return withResponse(boxBody(10.0, 10.0, 0.5, 8), "flat:1");
 }
 
-/// In a history the contact stays on the side of entry, even beyond the other face; a single query
-/// takes the nearer side.
+/// In a history the contact stays on the side of entry, even beyond the other face. For a single
+/// tip the nearer side counts.
 void checkSlab()
 {
   const Body body = slab();
@@ -84,7 +84,7 @@ void checkSlab()
   for (const vtkIdType i : ids)
   {
     const double z = heights[static_cast<std::size_t>(i)];
-    // The law of the punch: F = 2 a E* δ, exact in the contract; 6e-8 of float storage.
+    // The law of the punch, F = 2 a E* δ, is stored exactly except for the float rounding of 6e-8.
     const double deep = std::max(0.0, 0.5 - z);
     PALPATE_CHECK_NEAR(history.get("Deflection", i), deep, 1e-14);
     PALPATE_CHECK_NEAR(history.get("Force", i, 2), 2.0 * Young * deep, 2e-6);
@@ -95,17 +95,17 @@ void checkSlab()
   }
 }
 
-/// Lines are read along their points, each separately. Points outside lines are single tips. A tip
-/// that is not finite ends the history.
+/// The tips of a line are evaluated in the order of the line, separately for each line. Points
+/// outside lines are single tips. A tip that is not finite ends the history.
 void checkLines()
 {
   const Body body = slab();
   const auto tips =
     makeTips({ { 0.3, 0.2, -0.4 }, { 0.3, 0.2, 0.4 }, { 0.3, 0.2, -0.4 }, { NotANumber, 0.2, 0.0 },
       { 0.3, 0.2, -0.4 }, { 1.3, 0.2, 0.4 }, { 1.3, 0.2, -0.4 }, { 0.3, 0.2, -0.4 } });
-  addLine(tips, { 1, 0 });       // downward, against the order of the points
-  addLine(tips, { 2 });          // begins below the middle
-  addLine(tips, { 5, 6, 3, 4 }); // interrupted
+  addLine(tips, { 1, 0 });       // downward, in the opposite order of the points
+  addLine(tips, { 2 });          // begins below the middle of the slab
+  addLine(tips, { 5, 6, 3, 4 }); // interrupted by a tip that is not finite
   Probe probe(body, tips);
   const double depth[] = { 0.9, 0.1, 0.1, 0.0, 0.1, 0.1, 0.9, 0.1 };
   for (vtkIdType i = 0; i < 8; ++i)
@@ -137,11 +137,11 @@ void checkBorderAndRange()
     PALPATE_CHECK((probe.get("ContactCell", i) >= 0.0) == contact);
     PALPATE_CHECK((probe.get("NormalForce", i) > 0.0) == contact);
   }
-  // Beyond the range: the last tangent, for a punch the law itself.
+  // Beyond the range the curve continues as its last tangent, which for a punch is the law itself.
   PALPATE_CHECK_NEAR(probe.get("NormalForce", 1), 2.0 * Young * 1.5, 2e-6);
 }
 
-/// ContactCell is the cell of the body, whose verts and lines come before its triangles.
+/// ContactCell is the cell number in the body, whose verts and lines come before its triangles.
 void checkCellIds()
 {
   Body body = planeBody(5.0, 4);
@@ -152,7 +152,8 @@ void checkCellIds()
   lines->InsertNextCell({ 0, 1, 2 });
   body->SetVerts(verts);
   body->SetLines(lines);
-  Points inside; // nearer to the middle corner of each triangle, thus in its half of the square
+  // points near the middle corner of each triangle, thus in the triangle's half of the square
+  Points inside;
   for (vtkIdType cell = 3; cell < body->GetNumberOfCells(); ++cell)
   {
     const bool lower = cell % 2 == 1;
@@ -169,7 +170,7 @@ void checkCellIds()
   }
 }
 
-/// A point picked on the surface presses after it is moved inward.
+/// A point on the surface has a force after it is moved inward by Indentation.
 void checkIndentation()
 {
   const Body plane = withResponse(planeBody(5.0, 4), "flat:1");
@@ -183,9 +184,9 @@ void checkIndentation()
   flat.filter->Update();
   PALPATE_CHECK_TEXT(messages.takeErrors(), "Indentation", "nan");
 
-  // On a ball of 20 mm with facets of 5 mm: the tip moves along the blended normal, not along that
-  // of the facet. So its depth is within the sagitta of a facet (h²/8R = 0.15) of the requested
-  // one.
+  // On a ball of 20 mm with facets of 5 mm the tip moves along the blended normal, not along that
+  // of the facet. The depth therefore differs from the requested depth by at most the sagitta of a
+  // facet, h²/8R = 0.15 mm.
   Body ball = sphereBody(20.0, 2);
   const Body body = withResponse(ball, "sphere:5");
   double onFacet[3] = { 0.0, 0.0, 0.0 };
@@ -204,7 +205,7 @@ void checkIndentation()
   PALPATE_CHECK(round.get("ContactCell", 0) == 17.0);
 }
 
-/// The probe keeps its copy of the body and notices every kind of change.
+/// The probe keeps its copy of the body and detects every kind of change.
 void checkCache()
 {
   Body body = Body::New();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The probe's settings: defaults of the kernel, errors that name property, range and value; the
-// times of trajectories.
+// The probe's settings: the defaults are those of the kernel, and errors name property, range and
+// value. Also the times of trajectories.
 #include "FilterChecks.h"
 #include "Contact/ContactSettings.h"
 #include "TestBodies.h"
@@ -17,7 +17,7 @@ using namespace palpate::testing;
 using palpate::Infinity;
 using palpate::NotANumber;
 
-/// A polyline of `count` tips, from above a plate into it, with a `Time` step of 0.1 s.
+/// A polyline of `count` tips from above a plate into the plate, with `Time` in steps of 0.1 s.
 Body pressingLine(int count)
 {
   auto tips = Body::New();
@@ -81,7 +81,7 @@ struct WrongSetting
   std::function<void(vtkToolContactProbe*)> set;
 };
 
-/// Each invalid value gives one error and nothing else. Every limit itself is accepted.
+/// Each invalid value causes exactly one error. Each limit itself is accepted.
 void checkWrongSettings()
 {
   using Probe = vtkToolContactProbe*;
@@ -138,8 +138,9 @@ void checkTimes()
   const Body tips = pressingLine(8);
   vtkDataArray* time = tips->GetPointData()->GetArray("Time");
   PALPATE_CHECK(update(tips).empty());
-  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time); // passed on
-  time->SetTuple1(4, time->GetTuple1(3)); // two tips at one time
+  // the array is passed on
+  PALPATE_CHECK(probe->GetOutput()->GetPointData()->GetArray("Time") == time);
+  time->SetTuple1(4, time->GetTuple1(3)); // two tips at the same time
   PALPATE_CHECK(update(tips).empty());
   time->SetTuple1(4, 0.25);
   tips->Modified();
@@ -153,7 +154,7 @@ void checkTimes()
     PALPATE_CHECK_TEXT(
       update(tips), "'Time'", std::isnan(wrong) ? "nan" : "inf", "at point 7", "polyline 0");
   }
-  // Outside polylines, times have no effect. Two polylines have separate times.
+  // Times of points outside polylines have no effect. Two polylines have separate times.
   const Body loose = pressingLine(6);
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ vtkIdType(3), vtkIdType(4) });

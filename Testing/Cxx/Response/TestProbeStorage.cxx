@@ -11,7 +11,7 @@ namespace
 {
 using namespace palpate::testing;
 
-/// The compact form of a body: one row of the basis per given law at E* = 1.
+/// The compact form of a body: each given law at E* = 1 is a row of the basis.
 Body compactForm(vtkPolyData* full, const std::vector<Body>& laws, const std::vector<double>& share)
 {
   Body body = Body::New();
@@ -53,8 +53,9 @@ void checkStorageForms(vtkPolyData* full, vtkPolyData* compact)
   for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i)
   {
     const double force = a->GetArray("NormalForce")->GetTuple1(i);
-    // Each form rounds its stored values to float, 6e-8. The cubic and the power start multiply
-    // that by at most ten (differences of neighbouring samples, exponent q from a quotient).
+    // Each form rounds its stored values to float, 6e-8. The cubic polynomials and the power law at
+    // the start multiply this error by at most ten (differences of neighbouring samples, exponent q
+    // from a quotient).
     PALPATE_CHECK_NEAR(b->GetArray("NormalForce")->GetTuple1(i), force, 1e-6 * force);
     PALPATE_CHECK(
       a->GetArray("ContactState")->GetTuple1(i) == b->GetArray("ContactState")->GetTuple1(i));
@@ -67,7 +68,7 @@ void checkCompact()
   const Body sphereLaw = heterogeneousBall("sphere:5", 1.0);
   checkStorageForms(sphere, compactForm(sphere, { sphereLaw }, { 1.0 }));
 
-  // Two laws: a body with 0.6 of the sphere's curve plus 0.4 of a punch's.
+  // Two laws: the curve is 0.6 of the sphere's curve plus 0.4 of a punch's curve.
   const Body punch = heterogeneousBall("flat:2");
   const Body punchLaw = heterogeneousBall("flat:2", 1.0);
   Body mixed = Body::New();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Probe and deflection filter pass on the times of body and tips: all steps, and the time of the
-// tips.
+// Probe and deflection filter pass on the time steps of body and tips, and use the tips at the
+// requested time.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -19,7 +19,7 @@ namespace
 using namespace palpate::testing;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Outputs the given data with times. If `Sinks`, it moves them down by the time.
+/// A source with the given data and times. If `Sinks`, the data move down by the time.
 class TimedSource : public vtkPolyDataAlgorithm
 {
 public:

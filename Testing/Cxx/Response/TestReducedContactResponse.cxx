@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Responses in fewer numbers: the small number for bodies of known structure, and equal forces on
+// Responses in fewer numbers: how few suffice for bodies of known structure, and equal forces on
 // tips.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
@@ -22,7 +22,7 @@ constexpr int YoungIndex = 0;
 constexpr int ThicknessIndex = 1;
 constexpr int ComplianceIndex = 2;
 constexpr double Radius = 50.0;
-// Error of a second float storage: 6e-8, up to ten times that between samples.
+// Error of storing floats a second time: 6e-8, up to ten times as large between samples.
 constexpr double Storage = 1e-6;
 
 Body ball()
@@ -59,11 +59,11 @@ vtkSmartPointer<vtkReducedContactResponse> reduce(vtkPolyData* body, double tole
   return filter;
 }
 
-/// Tips on the reduced body have the forces of the full one.
+/// Tips on the reduced body have the same forces as on the full body.
 void checkFelt(vtkPolyData* body, vtkPolyData* reduced, double tolerance)
 {
   const Body tips = tipsInCube(4000, Radius / std::sqrt(3.0), 4);
-  for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i) // up to 2.1 mm deep
+  for (vtkIdType i = 0; i < tips->GetNumberOfPoints(); ++i) // tips at depths of up to 2.1 mm
   {
     double x[3];
     tips->GetPoint(i, x);
@@ -84,7 +84,7 @@ void checkFelt(vtkPolyData* body, vtkPolyData* reduced, double tolerance)
   for (vtkIdType i = 0; i < 4000; ++i)
   {
     const double force = forces[0]->GetTuple1(i);
-    // Below the first sample, 1/32 mm, the error is relative to the force there.
+    // Below the first sample, at 1/32 mm, the error is relative to the force at the first sample.
     PALPATE_CHECK_NEAR(forces[1]->GetTuple1(i), force, 1.1 * tolerance * std::max(force, 2e-3));
   }
 }
@@ -123,7 +123,7 @@ void checkScale()
   checkFelt(body, filter->GetOutput(), Storage);
 }
 
-/// Soft tissue of 6 to 20 mm over bone; 16 % of the points have no bone below, as on a head.
+/// Soft tissue of 6 to 20 mm over bone. 16 % of the points have no bone below them, as on a head.
 void checkLayers()
 {
   Body bare = ball();
@@ -137,13 +137,13 @@ void checkLayers()
     PALPATE_CHECK(filter->GetNumbersPerPoint() <= 4);
     PALPATE_CHECK(filter->GetLargestError() <= 0.01);
     checkFelt(body, filter->GetOutput(), 0.01);
-    // The reported error is that of the reported point.
+    // The reported error is the error at the reported point.
     const ContractOracle whole(body);
     const vtkIdType worst = filter->GetWorstPoint();
     vtkDataArray* basis = filter->GetOutput()->GetFieldData()->GetArray("ResponseBasis");
     vtkDataArray* share = filter->GetOutput()->GetPointData()->GetArray("ResponseCoefficient");
     double largest = 0.0;
-    for (int k = 0; k < 8; ++k) // only at the samples
+    for (int k = 0; k < 8; ++k) // errors are evaluated at the samples only
     {
       double force = 0.0;
       for (int law = 0; law < filter->GetNumbersPerPoint(); ++law)

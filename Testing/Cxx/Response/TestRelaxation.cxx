@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation in a response: the attached arrays, the result of the chooser, their treatment in
-// files and other forms, and the use of times by a probe.
+// Relaxation in a response: its arrays, the choice of its elements, its arrays in files and other
+// forms, and times in a probe.
 #include "FilterChecks.h"
 #include "RelaxingPlane.h"
 
@@ -20,7 +20,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr int Pressed = 200; // steps of a press
+constexpr int Pressed = 200; // number of steps of a press
 
 std::string modelOf(vtkPolyData* body)
 {
@@ -76,8 +76,8 @@ void checkAttached(vtkPolyData* body)
     modelOf(made), "relaxing point by point in 0.1 s, 2 s", "except its global compliance");
 }
 
-/// Without relaxation no array remains, not even one from another response of the same name. The
-/// curves are the same with relaxation.
+/// Without relaxation there are none of its arrays, not even those of another response of the same
+/// name. The curves are the same as with relaxation.
 void checkOff(vtkPolyData* body)
 {
   const Filter never = filterOf(body, "sphere:5", 1.0);
@@ -95,7 +95,7 @@ void checkOff(vtkPolyData* body)
   PALPATE_CHECK(areSame(never->GetOutput()->GetFieldData(), on->GetOutput()->GetFieldData()));
 }
 
-/// The kernel's view: the addresses of the arrays, exponent and radius of the tool.
+/// The view of the kernel: the addresses of the arrays, exponent and radius of the tool.
 void checkViewed(vtkPolyData* body)
 {
   palpate::ResponseArrays arrays;
@@ -108,7 +108,8 @@ void checkViewed(vtkPolyData* body)
     PALPATE_CHECK(palpate::viewResponse(filter->GetOutput(), "Response", arrays, error));
     PALPATE_CHECK(arrays.relaxation.series.count == 2 && arrays.relaxation.areFelt());
     PALPATE_CHECK(arrays.relaxation.series.time[1] == 2.0 && !arrays.relaxation.strength);
-    PALPATE_CHECK_NEAR(arrays.relaxation.exponent, each.exponent, 1e-6); // the range is a float
+    // the range is stored as a float
+    PALPATE_CHECK_NEAR(arrays.relaxation.exponent, each.exponent, 1e-6);
     PALPATE_CHECK_NEAR(arrays.relaxation.radius, each.radius, 1e-6);
   }
   const Filter all = everything(body);
@@ -121,7 +122,8 @@ void checkViewed(vtkPolyData* body)
   PALPATE_CHECK(arrays.relaxation.strength ==
     made->GetPointData()->GetArray("ResponseLocalRelaxation")->GetVoidPointer(0));
 
-  // One tuple with all branches, as from numpy, is also accepted; so is an unknown tool.
+  // One tuple with all branches, as numpy writes it, is accepted; an unknown tool is accepted as
+  // well.
   vtkNew<vtkDoubleArray> flat;
   flat->SetName("ResponseRelaxationTime");
   flat->SetNumberOfComponents(2);
@@ -137,7 +139,7 @@ void checkViewed(vtkPolyData* body)
     arrays.relaxation.exponent == arrays.exponent);
 }
 
-/// Kept in other forms and in a file.
+/// Relaxation is kept in other forms and in a file.
 void checkKept(vtkPolyData* body, const std::string& folder)
 {
   const Filter all = everything(body);
@@ -174,9 +176,9 @@ void checkKept(vtkPolyData* body, const std::string& folder)
   }
 }
 
-/// The largest errors in the table of the reference (Data/Reference/rate): 4 elements 4.0 % for a
-/// sphere and 8.1 % for a cone, 8 1.3 % and 3.0 %, 16 0.4 % and 0.91 %, quasi-linear 0.01 % for a
-/// flat end, 10 % and 12 %.
+/// The largest errors in the table of the reference (Data/Reference/rate), for sphere and cone: 4.0
+/// % and 8.1 % with 4 elements, 1.3 % and 3.0 % with 8, 0.4 % and 0.91 % with 16. Quasi-linear: 10
+/// % and 12 %, and 0.01 % for a flat end.
 void checkChoice(vtkPolyData* body)
 {
   const struct
@@ -202,7 +204,7 @@ void checkChoice(vtkPolyData* body)
     PALPATE_CHECK_TEXT(choice->GetReason(), "The body relaxes", "Relaxation Elements",
       "the speed of the tool is not known", "longer than 2 s", "shorter than 0.1 s", "160 %");
   }
-  // At most 0.8 % of the force: within the tolerance.
+  // Relaxation changes the force by at most 0.8 %, which is within the tolerance.
   const Filter little = relaxing(body, "sphere:5", 0.005);
   vtkNew<vtkResponseChoice> choice;
   choice->SetInputConnection(little->GetOutputPort());
@@ -210,7 +212,7 @@ void checkChoice(vtkPolyData* body)
   PALPATE_CHECK_TEXT(choice->GetReason(), "Relaxation is left out", "0.8 %", "within 1 %");
   PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationTime") == nullptr);
   PALPATE_CHECK(fieldOf(choice->GetOutput(), "ResponseRelaxationElements") == nullptr);
-  // For strengths per point the largest sum counts.
+  // With strengths per point the largest sum over the branches is stated.
   const Filter local = relaxing(body, "sphere:5", 0.0);
   local->SetInputArrayToProcess(Strengths, 0, 0, 0, "Strengths");
   choice->SetInputConnection(local->GetOutputPort());
@@ -219,15 +221,15 @@ void checkChoice(vtkPolyData* body)
   char words[40];
   std::snprintf(words, sizeof words, "%ld %%", std::lround(100.0 * (2.0 * last - 0.125)));
   PALPATE_CHECK_TEXT(choice->GetReason(), words);
-  // Without relaxation there is no statement.
+  // Without relaxation the text does not mention it.
   const Filter plain = filterOf(body, "sphere:5", 1.0);
   choice->SetInputConnection(plain->GetOutputPort());
   choice->Update();
   PALPATE_CHECK(choice->GetReason().find("elax") == std::string::npos);
 }
 
-/// A press at constant speed from 0.1 mm above to a depth of 0.5 mm, with a hold ten thousand times
-/// as long.
+/// A press at constant speed from 0.1 mm above the surface to a depth of 0.5 mm, then a hold that
+/// is ten thousand times as long.
 vtkSmartPointer<vtkPolyData> press(bool hasTime, double seconds)
 {
   auto tips = vtkSmartPointer<vtkPolyData>::New();
@@ -270,8 +272,8 @@ vtkDataArray* felt(vtkPolyData* tips, const char* name)
   return tips->GetPointData()->GetArray(name);
 }
 
-/// ∫ ψ(t - s) df at the end of a ramp of `seconds`, f = (s/t)^m (Lee and Radok 1960): midpoint
-/// rule, to 1e-6.
+/// ∫ ψ(t - s) df at the end of a ramp of `seconds`, f = (s/t)^m (Lee and Radok 1960). By the
+/// midpoint rule, with an error of 1e-6.
 double leeRadok(double exponent, double seconds)
 {
   constexpr int steps = 20000;
@@ -286,8 +288,8 @@ double leeRadok(double exponent, double seconds)
   return sum;
 }
 
-/// During a ramp: the force of the table's law and its memory part. After a hold it is the slow
-/// force.
+/// During a ramp the force is that of Lee and Radok, and the memory force is its difference from
+/// the slow force. After a hold only the slow force remains.
 void checkFastProbe(vtkPolyData* body)
 {
   for (const SinkingTool& each : SinkingTools)
@@ -306,7 +308,7 @@ void checkFastProbe(vtkPolyData* body)
       const double expected =
         felt(probed(filter->GetOutput(), tips), "NormalForce")->GetTuple1(Pressed);
       PALPATE_CHECK_NEAR(slow / expected, 1.0, 1e-12);
-      // Steps are 1/500 to 1/5 of the shorter time; 1e-5 is the error of the integral.
+      // Steps are 1/500 to 1/5 of the shorter relaxation time. The integral has an error of 1e-5.
       PALPATE_CHECK_NEAR(force->GetTuple1(Pressed) / slow,
         leeRadok(each.exponent, seconds / 0.6 * 0.5), seconds > 1.0 ? 2e-3 : 1e-4);
       PALPATE_CHECK_NEAR(memory->GetTuple1(Pressed + 1), 0.0, 1e-9);
@@ -314,7 +316,7 @@ void checkFastProbe(vtkPolyData* body)
       PALPATE_CHECK(memory->GetTuple1(0) == 0.0);
     }
   }
-  // The setting reaches the kernel: while the tool moves out, the number of elements matters.
+  // The number of elements reaches the kernel: it has an effect while the tool moves out.
   const Filter filter = relaxing(body, "cone:60");
   filter->Update();
   const auto out = press(true, 0.6);
@@ -328,8 +330,8 @@ void checkFastProbe(vtkPolyData* body)
     felt(probed(filter->GetOutput(), out), "MemoryForce")->GetTuple1(Pressed + 1) < 0.0);
 }
 
-/// Without times, and for single points, the force is the slow one to the bit. In a press that
-/// takes ten thousand times the longest relaxation time it is nearly the slow one.
+/// Without times, and for single points, the force is the slow force to the bit. In a press that
+/// takes ten thousand times the longest relaxation time it is nearly the slow force.
 void checkSlowProbe(vtkPolyData* body)
 {
   const Filter plain = filterOf(body, "paraboloid:5", 1.0);
@@ -355,8 +357,8 @@ void checkSlowProbe(vtkPolyData* body)
       PALPATE_CHECK(memory->GetTuple1(i) == 0.0 && force->GetTuple1(i) == slow->GetTuple1(i));
     }
   }
-  // A fraction Σ p τ m/t = (0.5 0.1 + 0.3 2) 1.5/2e4 of the force remains after such a press (Lee
-  // and Radok).
+  // After such a press the fraction Σ p τ m/t = (0.5 0.1 + 0.3 2) 1.5/2e4 of the force remains as
+  // memory (Lee and Radok).
   const auto lasting = probed(filter->GetOutput(), press(true, 2e4));
   PALPATE_CHECK_NEAR(lasting->GetPointData()->GetArray("NormalForce")->GetTuple1(last),
     slow->GetTuple1(last), 1e-4 * slow->GetTuple1(last));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults in the relaxation of a response, or in the relaxation settings of a filter, are reported
-// with the array and the number.
+// Faults in the relaxation arrays of a response, or in the relaxation settings of a filter, are
+// reported with the array and the number.
 #include "FilterChecks.h"
 #include "RelaxingPlane.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A response replaces an older one of the same name as a whole: no array of a term, of another form
-// or of a text remains, and the force is that of a body without the older response.
+// A response replaces an older response of the same name completely: no array of a term, of another
+// form or of a text remains, and the force is that of a body without the older response.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -18,7 +18,7 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Half = 20.0; // of the block, mm
+constexpr double Half = 20.0; // half side of the block, mm
 
 std::set<std::string> namesOf(vtkPolyData* body)
 {
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkToolContactResponse> plainOf(vtkPolyData* body)
 
 void checkReplaced(vtkPolyData* older, const std::set<std::string>& names, double force)
 {
-  PALPATE_CHECK(namesOf(older) != names); // the older response has more
+  PALPATE_CHECK(namesOf(older) != names); // the older response has more arrays
   const auto again = plainOf(older);
   again->Update();
   PALPATE_CHECK(namesOf(again->GetOutput()) == names);
@@ -77,7 +77,8 @@ int TestReplacedResponse(int, char*[])
   fresh->Update();
   const std::set<std::string> names = namesOf(fresh->GetOutput());
   const double force = forceNearEdge(fresh->GetOutput());
-  // Hertz's parabola, E* = 0.1/(1 - 0.45²); a sphere is softer by 2 % at a tenth of its radius.
+  // Hertz's paraboloid with E* = 0.1/(1 - 0.45²); at a tenth of its radius a sphere has 2 % less
+  // force.
   PALPATE_CHECK_NEAR(force / (4.0 / 3.0 * 0.1 / 0.7975 * std::sqrt(5.0 * 0.125)), 1.0, 0.02);
 
   using Filter = vtkToolContactResponse;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies whose best form is known: a point force, one law, a few laws, a response per vertex.
+// Bodies whose best stored form is known: a point force, one law, a few laws, a response per
+// vertex.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -18,8 +19,8 @@ namespace
 using namespace palpate::testing;
 
 constexpr double Rubber = 3.45; // E*, MPa, with ν = 0
-constexpr double Deepest = 2.0; // mm, range of the responses
-// Error of a second float storage: 6e-8, up to ten times that between samples.
+constexpr double Deepest = 2.0; // range of the responses, mm
+// Error of storing floats a second time: 6e-8, up to ten times as large between samples.
 constexpr double Storage = 1e-6;
 
 using Choice = vtkSmartPointer<vtkResponseChoice>;
@@ -53,7 +54,7 @@ Choice choose(vtkPolyData* body, double tolerance = 0.01, double share = 1.0, do
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none());
-  // The body contains the same text.
+  // The body contains the reason as a text.
   auto* text = vtkStringArray::SafeDownCast(
     filter->GetOutput()->GetFieldData()->GetAbstractArray("ResponseChoice"));
   PALPATE_CHECK(text && text->GetValue(0) == filter->GetReason());
@@ -90,9 +91,9 @@ void checkHomogeneousBlock()
   {
     const double force = feel(body, depth);
     PALPATE_CHECK_NEAR(
-      feel(choice->GetOutput(), depth), force, 1e-12 * force); // sums in another order
+      feel(choice->GetOutput(), depth), force, 1e-12 * force); // the sums have another order
   }
-  // A compact response is assessed as well and stays as small.
+  // A response in compact form can be given again and keeps its size.
   const Choice again = choose(choice->GetOutput());
   PALPATE_CHECK(again->GetVerdict() == vtkResponseChoice::OneLaw);
   PALPATE_CHECK(again->GetNumbersPerPointBefore() == 1);
@@ -106,19 +107,19 @@ void checkStiffnessMap()
   PALPATE_CHECK(choice->GetVerdict() == vtkResponseChoice::ScaledLaw);
   PALPATE_CHECK(choice->GetNumbersPerPoint() == 1 && choice->GetLargestError() < Storage);
   PALPATE_CHECK_TEXT(choice->GetReason(), "times a number per point", "1 instead of 16");
-  // Moduli that differ by 1 % on either side of the middle: one law within 1.1 %, but not within
-  // 0.9 %.
+  // Moduli within 1 % of their middle: one law has an error below 1.1 %, but not below 0.9 %.
   pointArray(
     bare, "E", [](vtkIdType i) { return 0.1 * (0.99 + 2e-5 * static_cast<double>(i % 1001)); });
   const Body even = respond(bare, "cone:60", 0, "E");
   const Choice one = choose(even, 0.011);
   PALPATE_CHECK(one->GetVerdict() == vtkResponseChoice::OneLaw);
-  PALPATE_CHECK_NEAR(one->GetLargestError(), 0.01, 2e-4); // for a law between the sampled extremes
+  // the law is the middle between the sampled extremes
+  PALPATE_CHECK_NEAR(one->GetLargestError(), 0.01, 2e-4);
   PALPATE_CHECK(choose(even, 0.009)->GetVerdict() == vtkResponseChoice::ScaledLaw);
 }
 
 /// Deflection of a square plate, simply supported on its edges, at its point (x, y) under a unit
-/// force there, mm/N: Navier's series about the middle.
+/// force at this point, mm/N. Navier's series about the middle.
 double plateCompliance(double side, double thickness, double x, double y)
 {
   const double rigidity = Rubber * std::pow(thickness, 3) / 12.0; // E* t³/12
@@ -136,8 +137,8 @@ double plateCompliance(double side, double thickness, double x, double y)
   return 4.0 * side * side * sum / (std::pow(pi, 4) * rigidity);
 }
 
-/// The middle of a plate of rubber on its edges, 100 mm wide and 4 mm thick: 6 mm/N, of which the
-/// contact adds less than a tenth. With its regime at 1 mm.
+/// The middle of a simply supported plate of rubber, 100 mm wide and 4 mm thick, with its regime at
+/// 1 mm. The compliance is 6 mm/N; the contact adds less than a tenth.
 Body plate(const std::string& tool)
 {
   Body bare = planeBody(10.0, 10);
@@ -156,7 +157,7 @@ Body plate(const std::string& tool)
   return copy;
 }
 
-/// F of a paraboloid in series with C: δ = (F / (4/3 E* √R))^(2/3) + C F, by bisection.
+/// F of a paraboloid in series with C, from δ = (F / (4/3 E* √R))^(2/3) + C F by bisection.
 double seriesForce(double radius, double compliance, double depth)
 {
   double low = 0.0;
@@ -182,7 +183,7 @@ void checkPlateOnItsEdges()
     "100 % of the points", "N/mm", "force at 2 mm", "1 instead of 16");
   PALPATE_CHECK(output->GetFieldData()->GetArray("ResponseExponent")->GetTuple1(0) == 1.0);
 
-  // The loss by the closed form: C is smallest at the corner, so the local share is largest there.
+  // The loss by the closed form. C is smallest at the corner, so the local part is largest there.
   double lost = 0.0;
   vtkDataArray* spring = output->GetPointData()->GetArray("ResponseCoefficient");
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -197,18 +198,18 @@ void checkPlateOnItsEdges()
     }
   }
   PALPATE_CHECK(lost > 0.005 && lost < 0.01);
-  // The checked depths are a fortieth of the range apart, at the top of a parabola. Stored
-  // responses in series have an error of 2e-3 at 1 % of the range, where the force is 1 % of that
-  // at its end.
+  // The loss is largest at a smooth maximum, and the checked depths are a fortieth of the range
+  // apart. Stored responses in series have an error of 2e-3 at 1 % of the range, where the force is
+  // 1 % of that at the end.
   PALPATE_CHECK_NEAR(choice->GetSpringLoss(), lost, 5e-5);
   PALPATE_CHECK_NEAR(feel(output, Deepest), feel(body, Deepest), 1e-5);
   for (const double depth : { 0.02, 0.2, 0.6, 1.0 })
   {
     const double right = feel(body, depth);
     PALPATE_CHECK_NEAR(feel(output, depth), right, 1.01 * lost * feel(body, Deepest));
-    PALPATE_CHECK(feel(output, depth) > right); // the loss is the soft start
+    PALPATE_CHECK(feel(output, depth) > right); // the spring lacks the soft start of the curve
   }
-  // The other tools of the paper would get the same spring, to 7 %: see its Figure 5.
+  // The other tools of Mahvash and Hayward 2002 get the same spring, to 7 %, as in Figure 5 there.
   for (const char* other : { "paraboloid:1.6", "flat:1.6" })
   {
     const Choice same = choose(plate(other), 0.03);
@@ -217,14 +218,14 @@ void checkPlateOnItsEdges()
     PALPATE_CHECK_NEAR(springs->GetTuple1(60), spring->GetTuple1(60), 0.07 * spring->GetTuple1(60));
   }
 
-  // If that loss is too large, a few laws are used; the text gives the reason.
+  // If this loss is too large, a few laws are used, and the text gives the reason.
   const Choice finer = choose(body, 0.002);
   PALPATE_CHECK(finer->GetVerdict() == vtkResponseChoice::FewLaws);
   PALPATE_CHECK_NEAR(finer->GetSpringLoss(), lost, 5e-5);
   PALPATE_CHECK_TEXT(finer->GetReason(), "laws suffice", "shape of the tool is not felt",
     "a spring per point would be off by");
 
-  // Without a regime, or beyond the validity, a point force is neither mentioned nor used.
+  // Without a regime, or beyond the validity, a point force is not used.
   Body blind = Body::New();
   blind->ShallowCopy(body);
   blind->GetPointData()->RemoveArray("RegimeVerdict");
@@ -240,7 +241,7 @@ void checkPlateOnItsEdges()
   PALPATE_CHECK_TEXT(distrusted->GetReason(), "the law on which this is based does not hold");
 }
 
-/// Soft tissue of 2 to 20 mm over bone; 16 % of the points have no bone below, as on a head.
+/// Soft tissue of 2 to 20 mm over bone. 16 % of the points have no bone below them, as on a head.
 void checkHead()
 {
   Body bare = planeBody(10.0, 40);
@@ -258,7 +259,7 @@ void checkHead()
     const double force = feel(body, depth);
     PALPATE_CHECK_NEAR(feel(choice->GetOutput(), depth), force, 0.01 * force);
   }
-  // 0.6 mm is more than a fifth of the layers thinner than 3 mm; strain is small up to 0.9 mm.
+  // 0.6 mm is more than a fifth of layers thinner than 3 mm. Strain is small up to 0.9 mm.
   int beyond = 0;
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
@@ -268,7 +269,7 @@ void checkHead()
     static_cast<double>(beyond) / static_cast<double>(body->GetNumberOfPoints()), 1e-12);
   PALPATE_CHECK_TEXT(choice->GetReason(), "0.6 mm is beyond the validity", "mostly the thickness",
     "its numbers are kept there, but do not describe the body");
-  // With the regime, the text says that the shape of the tool matters everywhere.
+  // With the regime the text states that the shape of the tool has an effect at all points.
   pointArray<vtkUnsignedCharArray>(body, "RegimeVerdict", [](vtkIdType) { return 0; });
   PALPATE_CHECK_TEXT(choose(body)->GetReason(), "the shape of the tool is felt 1 mm deep at 100 %");
 }
@@ -297,8 +298,8 @@ void checkUneven()
   PALPATE_CHECK(!choice->GetOutput()->GetFieldData()->HasArray("ResponseBasis"));
 }
 
-/// One point in 25 is twice as stiff: one law for 96 %, and half the force is missing at the other
-/// points.
+/// One point in 25 is twice as stiff. One law is valid for 96 % of the points; at the other points
+/// it has half of the force.
 void checkShare()
 {
   Body bare = planeBody(10.0, 40);
@@ -308,7 +309,7 @@ void checkShare()
   PALPATE_CHECK(choose(body, 0.01, 0.97)->GetVerdict() == vtkResponseChoice::ScaledLaw);
   const Choice most = choose(body, 0.01, 0.9);
   PALPATE_CHECK(most->GetVerdict() == vtkResponseChoice::OneLaw);
-  PALPATE_CHECK_NEAR(most->GetKeptShare(), 0.96, 1e-3); // 1681 is not a multiple of 25
+  PALPATE_CHECK_NEAR(most->GetKeptShare(), 0.96, 1e-3); // 1681 points are not a multiple of 25
   PALPATE_CHECK_NEAR(most->GetLargestError(), 0.5, Storage);
   PALPATE_CHECK_TEXT(most->GetReason(), "95.9 % of the points", "50 %", "the others");
 }
@@ -338,7 +339,7 @@ void checkErrors()
   filter->SetShare(1.0);
   filter->SetDeflection(-1.0);
   expect("Deflection", "-1");
-  filter->SetDeflection(0.7); // the regime is for 1 mm
+  filter->SetDeflection(0.7); // differs from the depth of the regime, 1 mm
   expect("RegimeDeflection", "0.7 mm");
   filter->SetDeflection(0.0);
   filter->SetMaximumNumberOfLaws(17);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of chosen points as a table: by their ids, by selections of all kinds, of several
-// responses.
+// Curves of chosen points as a table: chosen by their ids or by selections of all kinds, of one or
+// several responses.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "TestBodies.h"
@@ -34,13 +34,14 @@ Body variedBody()
   filter->Update();
   Body output = Body::New();
   output->DeepCopy(filter->GetOutput());
-  // Ranges differ for measured curves, but no filter of this version makes such a body.
+  // One point has another range, as measured curves might. No filter of this version makes such a
+  // body.
   output->GetPointData()->GetArray("ResponseRange")->SetTuple1(3, 0.8);
   return output;
 }
 
-/// The bounds of the force by its error follow after all forces. They are absent if there is no
-/// error or if they are switched off.
+/// The columns with the bounds of the force by its error come after all forces. They are absent if
+/// there is no error or if they are switched off.
 void checkBand()
 {
   vtkNew<vtkToolContactResponse> filter;
@@ -58,7 +59,7 @@ void checkBand()
   PALPATE_CHECK_TEXT(table->GetColumnName(1), "Response at point 4 (N)");
   PALPATE_CHECK_TEXT(table->GetColumnName(3), "Response at point 4, least (N)");
   PALPATE_CHECK_TEXT(table->GetColumnName(6), "Response at point 0, most (N)");
-  // The last row is the last sample.
+  // The last row is the last sample of the curve.
   vtkDataArray* stored = filter->GetOutput()->GetPointData()->GetArray("ResponseError");
   const double error = stored->GetComponent(4, 7);
   const double force = table->GetValue(8, 1).ToDouble();
@@ -99,14 +100,14 @@ void checkTable(vtkPolyData* body)
       const double force = table->GetValue(row, column).ToDouble();
       if (ids[k] == 3 && depth > static_cast<double>(0.8F))
       {
-        PALPATE_CHECK(std::isnan(force)); // no curve there: a gap, not an extrapolation
+        PALPATE_CHECK(std::isnan(force)); // beyond the range there is a gap, not an extrapolation
         continue;
       }
       const double expected = oracle.force(ids[k], depth);
-      PALPATE_CHECK_NEAR(force, expected, 1e-13 * expected); // different order of summation
+      PALPATE_CHECK_NEAR(force, expected, 1e-13 * expected); // the sum has another order
     }
   }
-  PALPATE_CHECK(table->GetValue(76, 0).ToDouble() == 2.0); // the last row is the range itself
+  PALPATE_CHECK(table->GetValue(76, 0).ToDouble() == 2.0); // the last row is at the range itself
   for (std::size_t k = 0; k < ids.size(); ++k)
   {
     PALPATE_CHECK_TEXT(table->GetColumnName(static_cast<vtkIdType>(k) + 1), "Response",
@@ -164,7 +165,7 @@ vtkSmartPointer<vtkSelection> select(
   return selection;
 }
 
-/// The ids in the names of the columns of one response.
+/// The ids in the column names of one response.
 std::vector<int> pointsOf(vtkTable* table, const std::string& response)
 {
   std::vector<int> ids;
@@ -180,7 +181,7 @@ std::vector<int> pointsOf(vtkTable* table, const std::string& response)
   return ids;
 }
 
-/// The plane's points are a grid of 3 by 3 from (-5, -5) to (5, 5), row by row in y.
+/// The points of the plane are a grid of 3 by 3 from (-5, -5) to (5, 5), row by row in y.
 void checkSelections(vtkPolyData* body)
 {
   using Ids = std::vector<int>;
@@ -205,13 +206,13 @@ void checkSelections(vtkPolyData* body)
     vtkSelectionNode::THRESHOLDS, vtkSelectionNode::POINT, { 0.35, 0.65 }, 2);
   thresholds->GetNode(0u)->GetSelectionList()->SetName("E");
   expect(thresholds, { 3, 4, 5 }); // E = 0.1 (i + 1)
-  // The region x > -1 and y > -1: eight corners, each of four numbers.
+  // The region x > -1 and y > -1 as eight corners of four numbers each.
   std::vector<double> corners;
   for (const double x : { -1.0, 9.0 })
   {
     for (const double y : { -1.0, 9.0 })
     {
-      for (const double z : { 1.0, -1.0 }) // near, far
+      for (const double z : { 1.0, -1.0 }) // near plane, far plane
       {
         corners.insert(corners.end(), { x, y, z, 1.0 });
       }
@@ -256,7 +257,8 @@ void checkSelections(vtkPolyData* body)
   PALPATE_CHECK(curves->GetOutput()->GetNumberOfColumns() == 0);
 }
 
-/// Two responses of one body in one chart: each as alone, over the deflections of the deeper one.
+/// Two responses of one body in one chart: each has the same curve as alone, over the deflections
+/// of the response with the larger range.
 void checkSeveral()
 {
   vtkNew<vtkToolContactResponse> second;
@@ -275,7 +277,7 @@ void checkSeveral()
   curves->SetInputConnection(second->GetOutputPort());
   curves->AddPointId(4);
   curves->AddMoreResponseName("Cone");
-  curves->AddMoreResponseName("Response"); // counts once
+  curves->AddMoreResponseName("Response"); // a name given twice counts once
   curves->SetNumberOfRows(31);
   curves->Update();
   PALPATE_CHECK(messages.none());

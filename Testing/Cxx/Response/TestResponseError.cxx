@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A response beyond small strain on a flat surface, and its estimated error.
+// Responses with terms for curvature and finite strain, and their estimated error.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -19,7 +19,7 @@ using namespace palpate::testing;
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
 constexpr double Reduced = 0.1 / (1.0 - 0.45 * 0.45);
-constexpr vtkIdType Middle = 12; // of planeBody(40.0, 4), far from its border
+constexpr vtkIdType Middle = 12; // a point of planeBody(40.0, 4) that is far from the border
 
 double last(vtkToolContactResponse* filter, const char* array, vtkIdType point)
 {
@@ -34,19 +34,20 @@ void checkBall(double sign)
   const Body body = sign < 0.0 ? hollowBody(20.0, 3) : sphereBody(20.0, 3);
   addRadialNormals(body, sign);
   const Filter filter = filterOf(body, "paraboloid:5", 1.0);
-  filter->SetErrorTolerance(0.0); // only the law
+  filter->SetErrorTolerance(0.0); // no estimated error
   filter->Update();
   const double radius = 1.0 / (0.2 + sign * 0.05);
   const double hertz = 4.0 / 3.0 * Reduced * std::sqrt(radius);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    // Curvature from float normals over edges of 3 mm: 1e-6; nodes 1e-6.
+    // The curvature from float normals over edges of 3 mm has an error of 1e-6, the nodes of the
+    // law the same.
     PALPATE_CHECK_NEAR(last(filter, "ResponseForce", i), hertz, 1e-5 * hertz);
   }
 }
 
-/// On an ellipsoid with its own normals the curvatures are accurate to the length of the edges.
-/// Hertz's ellipse: force against the closed form of the principal curvatures at its three ends.
+/// On an ellipsoid with exact normals the error of the curvature is of the order of the edges. The
+/// force is compared with Hertz's ellipse in closed form at the ends of the three axes.
 void checkEllipsoid()
 {
   const double axis[3] = { 30.0, 24.0, 20.0 };
@@ -77,20 +78,21 @@ void checkEllipsoid()
     const vtkIdType point = body->FindPoint(end);
     double there[3];
     body->GetPoint(point, there);
-    // Curvatures of the end of the k-th axis: axis_k / axis_j².
+    // Curvatures at the end of axis k: axis_k / axis_j², added to those of the tool.
     const double first = 0.2 + axis[k] / (axis[(k + 1) % 3] * axis[(k + 1) % 3]);
     const double second = 0.2 + axis[k] / (axis[(k + 2) % 3] * axis[(k + 2) % 3]);
     const double ratio = std::log(first / second);
     const double wanted =
       4.0 / 3.0 * Reduced / std::sqrt(std::sqrt(first * second)) * (1.0 + ratio * ratio / 48.0);
     const double off = std::abs(last(filter, "ResponseForce", point) / wanted - 1.0);
-    // Edges of 2 mm; the nearest point is up to 1.5 mm from the end.
+    // Edges are 2 mm long; the nearest point is up to 1.5 mm away from the end.
     PALPATE_CHECK(off < 5e-3);
     PALPATE_CHECK(off < last(filter, "ResponseError", point));
   }
 }
 
-/// c of a sphere at δ = R/2, from another code (Data/Reference/deep): 0.988 at ν = 0.45.
+/// The factor c of a sphere at δ = R/2 is 0.988 at ν = 0.45, from another code
+/// (Data/Reference/deep).
 void checkNeoHooke()
 {
   const Body body = planeBody(40.0, 4);
@@ -110,13 +112,13 @@ void checkNeoHooke()
   PALPATE_CHECK_TEXT(model, "half-space", "Neo-Hooke");
 }
 
-/// Terms that are off leave every bit unchanged.
+/// Without the terms every bit is that of the uncorrected law.
 void checkUntouched()
 {
   Body body = sphereBody(20.0, 2);
   const Filter plain = filterOf(body, "sphere:5", 1.0);
   makePlain(plain);
-  PALPATE_CHECK(plain->GetStoreError()); // without effect
+  PALPATE_CHECK(plain->GetStoreError()); // has no effect here
   plain->Update();
   const Filter estimated = filterOf(body, "sphere:5", 1.0);
   estimated->CurvatureCorrectionOff();
@@ -132,20 +134,21 @@ void checkUntouched()
     PALPATE_CHECK(std::equal(
       one->GetPointer(0), one->GetPointer(0) + one->GetNumberOfValues(), other->GetPointer(0)));
   }
-  // A sphere on a ball four times its size: -Rκ/2 is left out, 12.5 %.
+  // A sphere on a ball of four times its radius: the missing term is -Rκ/2, 12.5 %.
   PALPATE_CHECK_NEAR(last(estimated, "ResponseValidity", 3), 0.0, 0.0);
   PALPATE_CHECK_NEAR(last(estimated, "ResponseLimit", 3), 2.0, 0.0);
 }
 
-/// The defaults: the curvature is in the law, the error is stored, and validity ends at 5 %.
+/// The defaults: the curvature is in the law, the error is stored, and validity ends at an error of
+/// 5 %.
 void checkDefaults()
 {
   vtkNew<vtkToolContactResponse> fresh;
   PALPATE_CHECK(fresh->GetCurvatureCorrection() && fresh->GetStoreError());
   PALPATE_CHECK(fresh->GetErrorTolerance() == 0.05);
   PALPATE_CHECK(fresh->GetStrainModel() == vtkToolContactResponse::SmallStrain);
-  // On a plane at ν = 0.3 (n = 4/7): K s and the remaining error, s = 4/(3π) √(δ/R) of a paraboloid
-  // (Hertz); its storage is exact.
+  // On a plane at ν = 0.3 (n = 4/7) the error is K s plus a remaining part, with s = 4/(3π) √(δ/R)
+  // of a paraboloid (Hertz). The paraboloid is stored exactly.
   const Filter filter = filterOf(planeBody(40.0, 4), "paraboloid:5", 2.5);
   filter->SetPoissonRatio(0.3);
   filter->Update();
@@ -155,14 +158,13 @@ void checkDefaults()
     return (-0.148 + 0.61 * 4.0 / 7.0) * s + 0.1 * s * s;
   };
   PALPATE_CHECK_NEAR(last(filter, "ResponseError", Middle), errorAt(2.5), 1e-6);
-  // Linear interpolation over √δ between the samples: the square term has an error of 0.1 (Δs)²/4
-  // there.
+  // Between samples the error is linear in √δ, so its square term is off by 0.1 (Δs)²/4.
   PALPATE_CHECK_NEAR(errorAt(last(filter, "ResponseValidity", Middle)), 0.05, 1e-4);
   PALPATE_CHECK(last(filter, "ResponseLimit", Middle) == 1.0);
 }
 
-/// A flat end on a cylinder: first in contact along a line, then completely, then with a small
-/// error.
+/// A flat end on a cylinder: first in contact along a line, then over its whole circle, and then
+/// with a small error.
 void checkFlatOnCylinder()
 {
   Body body = Body::New();
@@ -217,12 +219,13 @@ void checkTouch()
   touch->SetTipPosition(0.0, 0.0, 0.0);
   touch->SetIndentation(1.0);
   touch->Update();
-  // K s = 0.2 · 0.424 √0.2 (Hertz), and the remaining error.
+  // K s = 0.2 · 0.424 √0.2 (Hertz), plus the remaining part.
   PALPATE_CHECK_TEXT(touchText(touch), "N \u00b1 4 %", "Within the law's validity");
 }
 
-/// The tips of a probe have the error of their force: that of the sample at the depth, as the mean
-/// of three equal corners. There is none if the response stores none.
+/// The tips of a probe have the error of their force: that of the curve at the depth, as the mean
+/// over the three corners, which are equal here. If the response stores no error, the tips have
+/// none.
 void checkProbe()
 {
   const Filter filter = filterOf(planeBody(40.0, 8), "sphere:5", 2.0);
@@ -252,7 +255,8 @@ void checkProbe()
   PALPATE_CHECK(seventh > sixth && sixth > 0.03);
   PALPATE_CHECK(error->GetValue(0) == 0.0);
   PALPATE_CHECK_NEAR(error->GetValue(1), sixth, 1e-7);
-  PALPATE_CHECK_NEAR(error->GetValue(2), 0.5 * (sixth + seventh), 1e-7); // half way in √δ
+  // half-way between two samples in √δ
+  PALPATE_CHECK_NEAR(error->GetValue(2), 0.5 * (sixth + seventh), 1e-7);
   PALPATE_CHECK(std::isnan(error->GetValue(3)));
   filter->StoreErrorOff();
   probe->Update();

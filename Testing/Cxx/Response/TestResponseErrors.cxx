@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkToolContactResponse with invalid input: the message, the empty output, and a correct result of
-// the same filter once the input is corrected.
+// the same filter after the input is corrected.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -28,7 +28,8 @@ Filter makeFilter(vtkPolyData* body)
   return filter;
 }
 
-/// The filter works, fails after `spoil` with these words, and works again after `mend`.
+/// Requires that the filter works, fails after `spoil` with these words, and works again after
+/// `mend`.
 void expectError(
   const std::function<void(Filter&)>& spoil, const std::function<void(Filter&)>& mend, Words words)
 {
@@ -169,18 +170,18 @@ void checkCells()
     expectError(spoil(lost), mend, { "triangle 8", std::to_string(wrong).c_str() });
   }
 
-  // No points: empty output and no error.
+  // An input without points gives an empty output and no error.
   Filter filter = makeFilter(Body::New());
   Messages messages(filter.Get());
   filter->Update();
   PALPATE_CHECK(messages.none() && filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// Points that cannot have a response get a status. One warning counts them. The other points get
-/// their response.
+/// Points that cannot have a response get a status and are counted in one warning. The other points
+/// get their response.
 void checkBadPoints(bool givenNormals)
 {
-  Body body = planeBody(10.0, 3); // points 0..15
+  Body body = planeBody(10.0, 3); // points 0 to 15
   vtkPoints* points = body->GetPoints();
   points->SetPoint(0, NotANumber, 0.0, 0.0);
   points->SetPoint(15, 0.0, Infinity, 0.0);
@@ -191,7 +192,7 @@ void checkBadPoints(bool givenNormals)
   body->GetPolys()->InsertNextCell({ sliver, other, other });
   std::map<vtkIdType, int> expected = { { 0, 2 }, { 15, 2 }, { unused, 1 }, { sliver, 1 },
     { other, 1 } };
-  if (givenNormals) // these differ from the triangles' normals and have no effect
+  if (givenNormals) // these normals differ from those of the triangles and have no effect
   {
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
@@ -208,7 +209,7 @@ void checkBadPoints(bool givenNormals)
   const std::string summary = std::to_string(expected.size()) + " of 19 points";
   PALPATE_CHECK_TEXT(messages.warnings(), summary.c_str(), "ResponseStatus");
   PALPATE_CHECK(messages.warnings().find("points", messages.warnings().find("points") + 6) ==
-    std::string::npos); // combined in one warning
+    std::string::npos); // all points are combined in one warning
   vtkPointData* data = filter->GetOutput()->GetPointData();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {

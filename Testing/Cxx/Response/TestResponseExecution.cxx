@@ -36,7 +36,8 @@ bool sameBits(vtkPolyData* a, vtkPolyData* b)
   return same;
 }
 
-/// Every code path: normals given or not, constant modulus, arrays of modulus and compliance.
+/// The cases that use different code: normals given or not, constant modulus, arrays of modulus and
+/// compliance.
 void checkThreads()
 {
   for (const bool normals : { false, true })
@@ -114,16 +115,16 @@ void checkModification()
   };
   filter->SetTool(tool);
   const vtkMTimeType before = filter->GetMTime();
-  filter->SetTool(tool); // the same tool again is no change
+  filter->SetTool(tool); // setting the same tool is not a modification
   PALPATE_CHECK(filter->GetMTime() == before);
   const double sphere = firstForce();
   tool->SetRadius(20.0);
   PALPATE_CHECK(filter->GetMTime() > before);
-  PALPATE_CHECK(firstForce() > 1.5 * sphere); // force is about proportional to √R
+  PALPATE_CHECK(firstForce() > 1.5 * sphere); // the force is about proportional to √R
   filter->SetTool(other);
   PALPATE_CHECK(firstForce() != sphere && filter->GetTool() == other.Get());
   const vtkMTimeType withOther = filter->GetMTime();
-  tool->SetRadius(1.0); // no longer the tool of the filter
+  tool->SetRadius(1.0); // the filter no longer uses this tool
   PALPATE_CHECK(filter->GetMTime() == withOther);
 }
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers on a rigid base, point by point, against the exact solution of each (LayerContact, which
-// the kernel tests compare with the reference tables), and against those tables directly.
+// Layers on a rigid base, point by point: against the exact solution of each layer (LayerContact,
+// which the kernel tests compare with the reference tables), and against these tables.
 #include "ContractOracle.h"
 #include "FilterChecks.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -24,7 +24,7 @@ constexpr int YoungIndex = 0;
 constexpr int ThicknessIndex = 1;
 constexpr int ComplianceIndex = 2;
 constexpr int PoissonIndex = 3;
-// Half a unit in the last place of a float, and the 1e-7 guaranteed by LayerTable.
+// Half a unit in the last place of a float, plus the 1e-7 that LayerTable guarantees.
 constexpr double Stored = 1.7e-7;
 
 using Filter = vtkSmartPointer<vtkToolContactResponse>;
@@ -105,7 +105,7 @@ void checkVaryingThickness(const std::string& tool, palpate::LayerBase base)
     static_cast<double>(base));
 }
 
-/// The liver slab of the reference tables: h = 10 mm, spheres as paraboloids.
+/// The liver slab of the reference tables: h = 10 mm, with paraboloids for spheres.
 void checkLiverSlab()
 {
   const ReferenceTable table("liver_slab_h10.csv");
@@ -125,7 +125,7 @@ void checkLiverSlab()
   }
 }
 
-/// A Poisson's ratio at each point applies to the layer, not only to E*.
+/// Poisson's ratio per point affects the law of the layer, not only E*.
 void checkVaryingPoisson(bool few)
 {
   Body body = planeBody(10.0, 9);
@@ -145,8 +145,8 @@ void checkVaryingPoisson(bool few)
   }
 }
 
-/// Layer and compliance exclude each other, unless the compliance is declared to be without the
-/// base.
+/// A layer and a compliance cannot be used together, unless the compliance is declared not to
+/// contain the base.
 void checkSeries()
 {
   const double compliances[] = { 0.0, 0.3, 3.0, -0.02 };
@@ -176,7 +176,7 @@ void checkSeries()
     for (int k = 0; k < 8; ++k)
     {
       const double depth = 2.0 * (k + 1) * (k + 1) / 64.0;
-      double low = 0.0; // bisection of x + C F(x) = δ
+      double low = 0.0; // bisection for x + C F(x) = δ
       double high = 2.0 * depth;
       for (int step = 0; step < 60; ++step)
       {
@@ -193,12 +193,12 @@ void checkSeries()
   PALPATE_CHECK_TEXT(model->GetValue(0), "layer", "series", "compliance");
 }
 
-/// A layer that is too thin for the range: no curve there; one warning counts these points.
+/// A point whose layer is too thin for the range has no curve and is counted in one warning.
 void checkTooThin()
 {
   Body body = planeBody(10.0, 2);
   pointArray(body, "h", [](vtkIdType i) { return i == 4 ? 0.1 : 3.0; });
-  Filter filter = makeFilter(body, "flat:2"); // a/h = 20
+  Filter filter = makeFilter(body, "flat:2"); // a/h = 20 at point 4
   useArray(filter, ThicknessIndex, "h");
   Messages messages(filter.Get());
   filter->Update();
@@ -233,8 +233,8 @@ void checkErrors()
   }
 }
 
-/// Limit 3: 20 % of the thickness. The strain limit is reached at a smaller depth than on a
-/// half-space, where the contact radius is 0.4 R.
+/// Limit 3: 20 % of the thickness. The strain limit, a contact radius of 0.4 R, is reached at a
+/// smaller depth than on a half-space.
 void checkValidity()
 {
   Body body = planeBody(10.0, 2);
@@ -260,8 +260,8 @@ void checkValidity()
 }
 
 /// Storage error of eight samples for a layer. The reference sheet states 5e-4 on 1..100 % of the
-/// depth. In the first per cent, before the first sample, the measured error is larger: 6e-4 while
-/// a < h, 1.4 % at a/h = 2.7, and there 0.4 % up to a seventh of the depth.
+/// depth. At depths before the first sample the measured error is larger: 6e-4 while a < h; at a/h
+/// = 2.7 it is 1.4 % in the first per cent and 0.4 % up to a seventh of the depth.
 void checkStorage()
 {
   for (const char* tool : { "flat:2", "paraboloid:6.35", "sphere:6.35", "cone:60" })

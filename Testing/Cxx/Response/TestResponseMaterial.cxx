@@ -51,7 +51,7 @@ void checkModuli()
   {
     for (const bool usePoisson : { false, true })
     {
-      // The arrays are always on the body: an array is used only if its index was set.
+      // The body always has the arrays. An array is used only if its index was set.
       auto filter = makeFilter(body, "cone:70");
       filter->SetPoissonRatio(0.3);
       if (useYoung)
@@ -107,7 +107,7 @@ void checkSeries(const std::string& specification)
       const double x = localDepth(tool, c, 2.0 * (k + 1) * (k + 1) / 64.0);
       const double force = tool->GetForce(x, Modulus);
       const double local = tool->GetStiffness(x, Modulus);
-      // Float rounding 6e-8, and the error of the bisection.
+      // Float rounding of 6e-8, plus the error of the bisection.
       PALPATE_CHECK_NEAR(output(filter, "ResponseForce")->GetComponent(i, k), force, 7e-8 * force);
       const double stiffness = local / (1.0 + c * local);
       PALPATE_CHECK_NEAR(
@@ -119,7 +119,7 @@ void checkSeries(const std::string& specification)
   PALPATE_CHECK_TEXT(model->GetValue(0), "series", "global compliance");
 }
 
-/// The table has the depths 0.5 and 2: samples 4 and 8 of a range of 2 mm.
+/// The table has the depths 0.5 and 2 mm, which are samples 4 and 8 of a range of 2 mm.
 void checkTable()
 {
   const std::map<std::string, std::string> tools = { { "sphere6.35", "paraboloid:6.35" },
@@ -144,7 +144,7 @@ void checkTable()
     const int k = depth == 0.5 ? 3 : 7;
     const double force = table.number(row, "F_N");
     const double stiffness = table.number(row, "dFddelta");
-    // Table: forces to 1e-9, derivatives to 1e-7; plus 6e-8 of float rounding.
+    // The table has forces to 1e-9 and derivatives to 1e-7. Float rounding adds 6e-8.
     PALPATE_CHECK_NEAR(output(filter, "ResponseForce")->GetComponent(0, k), force, 7e-8 * force);
     PALPATE_CHECK_NEAR(
       output(filter, "ResponseStiffness")->GetComponent(0, k), stiffness, 4e-7 * stiffness);
@@ -152,8 +152,8 @@ void checkTable()
   PALPATE_CHECK(rows == 40);
 }
 
-/// A negative compliance that folds the curve within the range: no response there; the other points
-/// keep theirs, and one warning counts the folded ones.
+/// A point whose curve is folded by a negative compliance within the range has no response and is
+/// counted in one warning. The other points keep theirs.
 void checkFold()
 {
   Body body = planeBody(10.0, 2);
@@ -173,7 +173,7 @@ void checkFold()
   PALPATE_CHECK(output(filter, "ResponseStiffness")->GetComponent(4, 0) == 0.0);
 }
 
-/// Largest relative error of the stored curve on 1..100 % of the range, against the series itself.
+/// Largest relative error of the stored curve on 1..100 % of the range, against the series model.
 double storageError(vtkPolyData* body, vtkContactTool* tool, double compliance)
 {
   const ContractOracle oracle(body);
@@ -187,7 +187,7 @@ double storageError(vtkPolyData* body, vtkContactTool* tool, double compliance)
   return largest;
 }
 
-/// The stored exponent is the better one of the tip's exponent and 1.
+/// The stored exponent is the exponent of the tip or 1, whichever has the smaller error.
 void checkExponent()
 {
   for (const char* specification : { "sphere:6.35", "paraboloid:1.6", "cone:60" })
@@ -209,7 +209,7 @@ void checkExponent()
       other->DeepCopy(filter->GetOutput());
       other->GetFieldData()->GetArray("ResponseExponent")->SetTuple1(0, chosen == 1.0 ? tip : 1.0);
       PALPATE_CHECK(error <= storageError(other, tool, c));
-      PALPATE_CHECK(error < 0.02); // the reference sheet: 1.4 % at C = 10, 5e-4 at C = 0
+      PALPATE_CHECK(error < 0.02); // the reference sheet states 1.4 % at C = 10 and 5e-4 at C = 0
     }
   }
 }

@@ -16,8 +16,8 @@ enum LimitCode
   Curvature = 2
 };
 
-/// Float storage of depths. The curvature of a sphere comes from float normals over edges of about
-/// R/5: an error of 2 · 6e-8 · 5.
+/// Rounding of depths to floats. The curvature of a sphere is computed from float normals over
+/// edges of about R/5: an error of 2 · 6e-8 · 5.
 constexpr double DepthRounding = 1e-6;
 
 void expect(vtkPolyData* body, const char* tool, double range, double depth, LimitCode limit)
@@ -43,14 +43,14 @@ void checkStrain()
   Body flat = planeBody(10.0, 3);
   expect(flat, "sphere:5", 2.0, sphereDepth(2.0, 5.0), Strain);
   expect(flat, "sphere:5", 0.5, 0.5, None);
-  expect(flat, "paraboloid:5", 2.0, 0.16 * 5.0, Strain); // a² = Rδ
-  expect(flat, "flat:1.6", 2.0, 0.4 * 1.6, Strain);      // δ/a
+  expect(flat, "paraboloid:5", 2.0, 0.16 * 5.0, Strain); // the contact radius is a² = Rδ
+  expect(flat, "flat:1.6", 2.0, 0.4 * 1.6, Strain);      // the strain is δ/a
   expect(flat, "flat:6", 2.0, 2.0, None);
   expect(flat, "cone:60", 2.0, 0.0, Strain); // δ/a = (π/2) cot 60° = 0.9 at any depth
-  expect(flat, "cone:80", 2.0, 2.0, None);   // 0.28
+  expect(flat, "cone:80", 2.0, 2.0, None);   // δ/a = 0.28
 }
 
-/// On a sphere every edge gives the curvature 1/R exactly: |n_j - n_i| = |x_j - x_i|/R.
+/// On a sphere every edge gives exactly the curvature 1/R: |n_j - n_i| = |x_j - x_i|/R.
 void checkCurvature()
 {
   for (const double radius : { 3.0, 10.0, 50.0 })
@@ -58,7 +58,8 @@ void checkCurvature()
     Body body = sphereBody(radius, 2);
     addRadialNormals(body);
     const double a = 0.2 * radius;
-    // Compares the contact radius a with the strain limit (0.4 R of the tool) and the range.
+    // The smallest depth counts: contact radius `a` by curvature, the strain limit (0.4 R of the
+    // tool), or the range.
     expect(body, "paraboloid:30", 2.0, std::min(2.0, a * a / 30.0),
       a * a / 30.0 < 2.0 ? Curvature : None);
     const double strain = sphereDepth(0.4 * 6.0, 6.0);
@@ -70,8 +71,8 @@ void checkCurvature()
   }
 }
 
-/// Each point takes the largest curvature of its edges. Cone 80: depth ∝ radius. Two cylinders of 2
-/// and 1 mm meet in a line with the same normal.
+/// Each point has the largest curvature of its edges. For a cone of 80° the depth is proportional
+/// to the radius. Two cylinders of 2 and 1 mm meet in a line with the same normal.
 void checkLargestEdge()
 {
   constexpr int Lines = 5;
@@ -104,7 +105,8 @@ void checkLargestEdge()
   const double slope = 0.5 * vtkMath::Pi() / std::tan(vtkMath::RadiansFromDegrees(80.0));
   for (vtkIdType i = 0; i < 2 * Lines; ++i)
   {
-    const double curvature = i < Lines - 1 ? 0.5 : 1.0; // at the line between them the larger one
+    // at the common line the larger curvature counts
+    const double curvature = i < Lines - 1 ? 0.5 : 1.0;
     const double depth = slope * 0.2 / curvature;
     vtkDataArray* depths = output->GetPointData()->GetArray("ResponseValidity");
     PALPATE_CHECK_NEAR(
@@ -112,7 +114,7 @@ void checkLargestEdge()
   }
 }
 
-/// A hollow limits like a bump: half of the same sphere from inside.
+/// A hollow limits the depth as a bump does: half of the same sphere, pressed from inside.
 void checkHollow()
 {
   Body hollow = hollowBody(10.0, 2);
@@ -120,7 +122,7 @@ void checkHollow()
   expect(hollow, "sphere:6", 2.0, sphereDepth(2.0, 6.0), Curvature);
 }
 
-/// The depth is that of the whole deflection, local plus global.
+/// Validity is stated as whole deflection, local plus global.
 void checkSeries()
 {
   Body body = planeBody(10.0, 2);

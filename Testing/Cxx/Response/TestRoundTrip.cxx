@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body with its response, saved as .vtp and read back, evaluates to the same bits. The last
-// argument is the folder to write to.
+// A body with a response, saved as .vtp and read back, gives the same bits. The last argument is
+// the folder to write to.
 //
 // The data are inline, base64 and compressed. Appended data, VTK's default, are not tested: VTK
 // before 9.3.1 with an expat that defers parsing (2.6.0, or Debian 12's 2.5.0-1+deb12u5) fails to
@@ -36,7 +36,7 @@ Body makeBody()
   return output;
 }
 
-/// The same body with one law and a coefficient per point.
+/// The same body in compact form: one law and a coefficient per point.
 Body makeCompact(vtkPolyData* full)
 {
   Body body = Body::New();

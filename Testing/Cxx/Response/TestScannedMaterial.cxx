@@ -20,8 +20,8 @@ using Material = vtkSmartPointer<vtkScannedMaterial>;
 constexpr int Side = 6;
 constexpr int Height = 6;
 
-/// An image over the block with voxels of `size` mm, the first at `from` on all axes. Values are a
-/// function of the position.
+/// An image over the block with cubic voxels of `size` mm. The first voxel is at `from` on all
+/// axes. Values are a function of the position.
 vtkSmartPointer<vtkImageData> scan(
   double size, double from, int count, const std::function<double(double, double, double)>& value)
 {
@@ -55,8 +55,7 @@ double valueOf(vtkScannedMaterial* filter, const char* name, int i, int j, int k
     (static_cast<vtkIdType>(k) * Side + j) * Side + i);
 }
 
-/// Skin of 1.75 mm on top of fat, with voxels of half a millimetre. At x beyond 5 mm there is no
-/// image.
+/// Skin of 1.75 mm on fat, with voxels of half a millimetre. The second image ends at x = 5 mm.
 void checkLabels()
 {
   const auto image =
@@ -73,17 +72,17 @@ void checkLabels()
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, 0) == 0.01);
     PALPATE_CHECK(valueOf(filter, "PoissonRatio", 2, 2, 0) == 0.49);
     PALPATE_CHECK(valueOf(filter, "YoungsModulus", 2, 2, Height - 1) == 0.1);
-    // The upper half of the second cell is skin. With voxels of 0.5 mm its two middle voxels are at
-    // 4.25 mm (fat) and 4.75 mm (skin). Both are equally frequent, so the one with the smaller
-    // value counts as the most frequent material.
+    // The upper half of the second cell is skin. Its two middle voxels of 0.5 mm are at 4.25 mm
+    // (fat) and 4.75 mm (skin). Both materials are equally frequent, so the smaller label counts as
+    // the most frequent material.
     PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 2, 2, Height - 2),
-      1.0 / (0.5 / 0.01 + 0.5 / 0.1), 1e-12); // harmonic: the skin is harder
+      1.0 / (0.5 / 0.01 + 0.5 / 0.1), 1e-12); // harmonic mean, because skin is harder
     PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", 2, 2, Height - 2), 0.47, 1e-12);
-    // Only its own arrays have changed.
+    // Only the arrays of the filter are changed.
     PALPATE_CHECK(filter->GetOutput()->GetPointData()->GetArray("Fixed") != nullptr);
   }
   const auto narrow =
-    scan(0.5, 0.25, 10, [](double, double, double) { return 1.0; }); // ends at 5 mm
+    scan(0.5, 0.25, 10, [](double, double, double) { return 1.0; }); // the image ends at 5 mm
   const Material filter = mapped(block(Side, Height), narrow);
   filter->AddMaterial(1.0, 0.01, 0.49);
   filter->Update();
@@ -92,7 +91,7 @@ void checkLabels()
   PALPATE_CHECK(valueOf(filter, "PoissonRatio", 2, 5, 2) == 0.2);
 }
 
-/// E over a scale: between two rows of the map by its logarithm, beyond them constant.
+/// E from a scale: logarithmic between two rows of the map, constant beyond them.
 void checkScale()
 {
   const auto image = scan(0.5, -1.0, 20, [](double x, double, double) { return 100.0 * x; });
@@ -102,7 +101,8 @@ void checkScale()
   filter->AddMaterial(100.0, 0.05, 0.49);
   filter->Update();
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 0, 3, 3), 0.05, 1e-15);
-  // The middle of the third cell is at 250: half-way. The image is linear, so that is its mean.
+  // The middle of the third cell has the value 250, half-way between two rows. The image is linear,
+  // so 250 is also its mean over the cell.
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 2, 3, 3), 0.1, 1e-12);
   PALPATE_CHECK_NEAR(valueOf(filter, "PoissonRatio", 2, 3, 3), 0.445, 1e-12);
   PALPATE_CHECK_NEAR(valueOf(filter, "YoungsModulus", 5, 3, 3), 0.2, 1e-15);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies with typical defects give the force of the sound body, never a force into the body, and
-// never a smaller error; or they are rejected with the name of the part.
+// Bodies with typical defects give the force of the body without defects, never a force into the
+// body, and never a smaller error; or they are rejected with a message that names the part.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -62,7 +62,7 @@ struct Felt
   std::vector<double> errors;
 };
 
-/// The force on a sphere of 3 mm at the tips. All forces must point out of the body.
+/// The forces on a sphere of 3 mm at the tips. All forces must point out of the body.
 Felt feltOn(vtkPolyData* body, vtkPoints* tips, int form = vtkToolContactProbe::NormalizedDirection)
 {
   const auto response = filterOf(body, "sphere:3", 2.0);
@@ -74,7 +74,7 @@ Felt feltOn(vtkPolyData* body, vtkPoints* tips, int form = vtkToolContactProbe::
   probe->SetTipData(asked);
   probe->SetForceForm(form);
   const Messages errors(static_cast<vtkAlgorithm*>(response));
-  const Messages remarks(static_cast<vtkAlgorithm*>(probe)); // on defects
+  const Messages remarks(static_cast<vtkAlgorithm*>(probe)); // captures remarks on defects
   probe->Update();
   PALPATE_CHECK(errors.errors().empty());
   PALPATE_CHECK(remarks.errors().empty());
@@ -100,7 +100,7 @@ Felt feltOn(vtkPolyData* body, vtkPoints* tips, int form = vtkToolContactProbe::
   return felt;
 }
 
-/// Tips `depth` below random places of the facets of a body.
+/// Tips at the given depth below random places on the facets of a body.
 vtkSmartPointer<vtkPoints> tipsBelow(
   vtkPolyData* body, double depth, int count, std::mt19937& random)
 {
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkPoints> tipsBelow(
   return tips;
 }
 
-/// Separate corners for some triangles, as at a seam of a texture.
+/// Gives some triangles separate corners, as at a seam of a texture.
 Body split(vtkPolyData* body, double share, std::mt19937& random)
 {
   const auto points = copyOf(body->GetPoints());
@@ -146,20 +146,20 @@ Body split(vtkPolyData* body, double share, std::mt19937& random)
     {
       double p[3];
       body->GetPoint(corner, p);
-      const bool isFirst = used.insert(corner).second; // every point keeps a triangle
+      const bool isFirst = used.insert(corner).second; // each point keeps one triangle
       corner = !isFirst && chance(random) < share ? points->InsertNextPoint(p) : corner;
     }
   }
   return bodyOf(points, corners);
 }
 
-/// Ways to break a mesh; each adds to those before.
+/// The mesh with the first `ways` of four kinds of defects.
 Body broken(vtkPolyData* body, int ways, std::mt19937& random)
 {
   std::uniform_real_distribution<double> chance(0.0, 1.0);
   const Body apart = ways > 1 ? split(body, 0.3, random) : split(body, 0.0, random);
   std::vector<Corners> corners = cornersOf(apart);
-  for (Corners& c : corners) // flips
+  for (Corners& c : corners) // reversed triangles
   {
     if (chance(random) < 0.2)
     {
@@ -167,7 +167,7 @@ Body broken(vtkPolyData* body, int ways, std::mt19937& random)
     }
   }
   const std::size_t own = corners.size();
-  for (std::size_t t = 0; t < own && ways > 2; ++t) // duplicates, also reversed
+  for (std::size_t t = 0; t < own && ways > 2; ++t) // duplicate triangles, some of them reversed
   {
     const Corners c = corners[t];
     if (chance(random) < 0.02)
@@ -180,7 +180,8 @@ Body broken(vtkPolyData* body, int ways, std::mt19937& random)
     }
   }
   const auto points = copyOf(apart->GetPoints());
-  if (ways > 3) // triangles without area, not finite, and points of no triangle
+  // triangles without area, triangles with points that are not finite, and points of no triangle
+  if (ways > 3)
   {
     const vtkIdType lost =
       points->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
@@ -205,17 +206,18 @@ void checkBrokenBodies()
       {
         for (std::size_t k = 0; k < 3; ++k)
         {
-          // Curves and curvature are float32. The sums of the curvature have another order: 0.05 %.
+          // Curves and curvature are float32. The sums of the curvature have another order, which
+          // changes the force by at most 0.05 %.
           PALPATE_CHECK_NEAR(found.forces[i][k], expected.forces[i][k], 5e-5);
         }
-        // Curvature in float32, as above, and its error.
+        // The error changes as well, because the curvature is float32.
         PALPATE_CHECK(found.errors[i] > expected.errors[i] - 0.02);
       }
     }
   }
 }
 
-/// A ball of 8 mm with one seam, pressed by a ball of 3 mm: Hertz.
+/// A ball of 8 mm with one seam, pressed by a ball of 3 mm, against Hertz.
 void checkHertz()
 {
   std::mt19937 random(2);
@@ -230,14 +232,15 @@ void checkHertz()
     {
       for (const auto& force : feltOn(split(ball, share, random), tips, form).forces)
       {
-        // 3 %: Hertz replaces both balls by paraboloids, and facets are 0.01 mm below the ball.
+        // 3 %: Hertz replaces both balls by paraboloids, and facets are up to 0.01 mm inside the
+        // ball.
         PALPATE_CHECK_NEAR(vtkMath::Norm(force.data()), hertz, 0.03 * hertz);
       }
     }
   }
 }
 
-/// Inward normals in a file have no effect, with either winding.
+/// Inward normals in a file have no effect, for either winding.
 void checkStoredNormals()
 {
   std::mt19937 random(5);
@@ -258,7 +261,8 @@ void checkStoredNormals()
       const Felt found = feltOn(other, tips);
       for (std::size_t i = 0; i < expected.forces.size(); ++i)
       {
-        // Radial normals are those of the ball, computed ones those of its facets: 0.3 %.
+        // Radial normals are those of the ball, computed normals those of its facets. The forces
+        // differ by 0.3 %.
         const double force = vtkMath::Norm(expected.forces[i].data());
         PALPATE_CHECK_NEAR(vtkMath::Norm(found.forces[i].data()), force, 0.005 * force);
       }
@@ -266,8 +270,8 @@ void checkStoredNormals()
   }
 }
 
-/// The output has the points and triangles of the input, and the same response at points of equal
-/// position.
+/// The output has the points and triangles of the input, and points with the same position have the
+/// same response.
 void checkOutput()
 {
   std::mt19937 random(7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tilted tool: its arrays in a response, its force in the probe, its validity, the result of the
-// chooser, and rejected input.
+// A tilted tool: its arrays in a response, its force in the probe, its validity, the choice of
+// terms, and rejected input.
 #include "FilterChecks.h"
 #include "ReferenceTable.h"
 #include "TestBodies.h"
@@ -23,7 +23,7 @@ using Filter = vtkSmartPointer<vtkToolContactResponse>;
 
 constexpr double Degree = 0.017453292519943295;
 
-/// A half-space with E* = 1 MPa, as in the tables.
+/// A response with tilts on a half-space with E* = 1 MPa, as in the tables.
 Filter tiltable(vtkPolyData* body, const std::string& tool, double range, double tilt)
 {
   Filter filter = filterOf(body, tool.c_str(), range);
@@ -34,11 +34,11 @@ Filter tiltable(vtkPolyData* body, const std::string& tool, double range, double
   return filter;
 }
 
-/// One tip at (1.1, 2.3) at this depth, for a tool tilted towards +x.
+/// Result for one tip at (1.1, 2.3) at this depth, with the tool tilted towards +x.
 struct Felt
 {
   double force = 0.0;
-  double torque = 0.0; ///< about -y: turns the tool upright
+  double torque = 0.0; ///< about -y: positive if it turns the tool upright
   double tilt = 0.0;   ///< degrees
   int state = 0;
 };
@@ -65,7 +65,8 @@ Felt felt(vtkPolyData* body, double depth, double degrees)
     static_cast<int>(data->GetArray("ContactState")->GetTuple1(0)) };
 }
 
-/// Checks the table rows of one tool, for depths from a fifth of its size on, up to a tilt.
+/// Compares with the table rows of one tool, for depths from a fifth of its size on and tilts up to
+/// `tilt` degrees.
 void checkAgainstTable(
   const char* name, const char* tool, double tilt, double forceTolerance, double torqueTolerance)
 {
@@ -95,17 +96,17 @@ void checkAgainstTable(
 
 void checkTables()
 {
-  // For a flat end the table includes the wall, which is tilted too: 1.7 % of the force up to 30
-  // degrees by the reference sheet; because of the lever arm, the radius a, slightly more of the
-  // torque. Torques of the other tools come from the pressures without the couple of their sideways
-  // part, 2 to 8 % for a cone. Torques are given in mm times the force; the tools have a size of 1
-  // mm.
+  // For a flat end the table includes the wall, which is in contact as well: 1.7 % of the force up
+  // to 30 degrees by the reference sheet, and slightly more of the torque because of the lever arm
+  // a. Torques of the other tools are computed from the pressures without the couple of their
+  // tangential part, which is 2 to 8 % for a cone. Tolerances of torques are in mm times the force;
+  // the tools have a size of 1 mm.
   checkAgainstTable("flat", "flat:1", 20.0, 0.017, 0.025);
   checkAgainstTable("cone60", "cone:60", 25.0, 0.006, 0.15);
   checkAgainstTable("blunt45", "blunted:1,45", 30.0, 0.006, 0.03);
 }
 
-/// The tilt of a sphere has a closed form, also if its tip is outside.
+/// The force on a tilted sphere has a closed form, also if the tip is outside the body.
 void checkSphere()
 {
   const Filter filter = tiltable(planeBody(30.0, 6), "sphere:5", 1.0, 60.0);
@@ -117,17 +118,19 @@ void checkSphere()
       const double deep = depth + 5.0 * (1.0 - std::cos(angle * Degree));
       const double force = deep > 0.0 ? filter->GetTool()->GetForce(deep, 1.0) : 0.0;
       const Felt tilted = felt(filter->GetOutput(), depth, angle);
-      PALPATE_CHECK_NEAR(tilted.force, force, 1e-4 * force); // curves as floats, drops to 1e-8 R
+      // curves are floats, drops have an error of 1e-8 R
+      PALPATE_CHECK_NEAR(tilted.force, force, 1e-4 * force);
       PALPATE_CHECK_NEAR(tilted.torque, 5.0 * std::sin(angle * Degree) * force, 1e-4 * force);
     }
   }
   const Filter little = tiltable(planeBody(30.0, 6), "sphere:5", 1.0, 20.0);
   little->Update();
-  PALPATE_CHECK(felt(little->GetOutput(), 0.1, 21.0).state == 6); // tilted too far
+  // a larger tilt than the response has
+  PALPATE_CHECK(felt(little->GetOutput(), 0.1, 21.0).state == 6);
   PALPATE_CHECK(felt(little->GetOutput(), 0.1, 19.0).state == 2);
 }
 
-/// Five degrees halve the force of a flat end at a small depth.
+/// A tilt of five degrees halves the force of a flat end at a small depth.
 void checkHalved()
 {
   const Filter filter = tiltable(planeBody(30.0, 6), "flat:1.6", 1.0, 10.0);
@@ -135,11 +138,11 @@ void checkHalved()
   const double drop = 1.6 * std::sin(5.0 * Degree);
   const double upright = felt(filter->GetOutput(), 0.32, 0.0).force;
   PALPATE_CHECK_NEAR(upright, 2.0 * 1.6 * 0.32, 1e-6);
-  // tilt_bem.csv, D = 0.2 of the radius: 0.5757.
+  // tilt_bem.csv states 0.5757 for D = 0.2 of the radius.
   PALPATE_CHECK_NEAR(felt(filter->GetOutput(), 0.32 - drop, 5.0).force / upright, 0.5757, 0.003);
 }
 
-/// Without a tilt no array remains, not even one from another response of the same name.
+/// Without tilts no array of them remains, not even one from another response of the same name.
 void checkOff()
 {
   const auto body = planeBody(10.0, 4);
@@ -157,13 +160,13 @@ void checkOff()
   off->Update();
   PALPATE_CHECK(!has(off->GetOutput(), "ResponseTilt") &&
     !has(off->GetOutput(), "ResponseTiltDrop") && !has(off->GetOutput(), "ResponseTiltNode"));
-  // A tool with unknown tilt counts as upright and has no torque.
+  // Without tilts in the response the tool counts as upright and has no torque.
   const Felt upright = felt(off->GetOutput(), 0.5, 20.0);
   PALPATE_CHECK_NEAR(upright.force, 2.0 * 0.5, 1e-6);
   PALPATE_CHECK(upright.torque == 0.0);
 }
 
-/// On a layer the tilts are those of a layer, and their validity is limited.
+/// On a layer the forces are those of tilts on a layer, and the validity is limited.
 void checkLayer()
 {
   const auto body = planeBody(30.0, 6);
@@ -177,14 +180,14 @@ void checkLayer()
     filter->Update();
     return filter;
   };
-  // tilt_layer_nu0.45.csv: flat, a/h = 0.5, D = 0.2, 5 degrees: 0.4052 of E*. The equivalent
-  // profile is within the 2.1 % of the reference sheet.
+  // tilt_layer_nu0.45.csv: a flat end with a/h = 0.5, D = 0.2 and 5 degrees has 0.4052 of E*. The
+  // equivalent profile has an error of 2.1 % by the reference sheet.
   const Filter half = layered(10.0, 2.0);
   const double drop = std::sin(5.0 * Degree);
   PALPATE_CHECK_NEAR(felt(half->GetOutput(), 0.2 - drop, 5.0).force, 0.4052, 0.025 * 0.4052);
 
   const auto validity = [](const Filter& filter, const char* name)
-  { return filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(24); }; // the middle
+  { return filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(24); }; // 24: the middle
   const Filter upright = layered(0.0, 1.0);
   const Filter tilted = layered(25.0, 1.0);
   PALPATE_CHECK(validity(tilted, "ResponseLimit") == 8.0);
@@ -192,8 +195,8 @@ void checkLayer()
   PALPATE_CHECK(validity(layered(25.0, 50.0), "ResponseLimit") != 8.0);
 }
 
-/// A thickness that varies from point to point: laws with weights, kept in every form and in a
-/// file.
+/// A thickness that varies from point to point: the laws and their weights are kept in every form
+/// and in a file.
 void checkKept(const std::string& folder)
 {
   const auto body = planeBody(30.0, 6);
@@ -241,7 +244,7 @@ void checkChoice()
   const Filter flat = tiltable(planeBody(10.0, 4), "flat:1", 0.5, 20.0);
   PALPATE_CHECK_TEXT(
     reasonOf(flat), "kept: ", "A tilt of ", "degrees changes the force by ", "N mm");
-  // A tilt of a tenth of a degree has no effect for a needle.
+  // A tilt of a tenth of a degree has no effect on a needle.
   const Filter needle = tiltable(planeBody(10.0, 4), "cone:20", 0.5, 0.1);
   PALPATE_CHECK_TEXT(reasonOf(needle), "left: ", "Tilts of the tool are left out", "within 1 %");
 }
@@ -256,7 +259,7 @@ void checkFaults()
     PALPATE_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
     return messages.takeErrors();
   };
-  // 90 - 60 - 4 degrees.
+  // The largest tilt of the cone is 90 - 60 - 4 degrees.
   PALPATE_CHECK_TEXT(faultOf("cone:60", 27.0), "Maximum Tilt", "27", "26");
   PALPATE_CHECK_TEXT(faultOf("flat:1", 85.0), "Maximum Tilt", "85");
   PALPATE_CHECK_TEXT(faultOf("flat:1", -1.0), "Maximum Tilt must be finite and not negative", "-1");

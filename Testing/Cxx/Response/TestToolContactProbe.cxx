@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Single tips on a body that is not convex, against brute force: the closest of all triangles
-// and the winding number of BruteForce.h, the force by the definition of the contract.
+// Single tips on a body that is not convex, against brute force: the closest of all triangles and
+// the winding number of BruteForce.h, and the force by the definition of the contract.
 #include "BruteForce.h"
 #include "ContractOracle.h"
 #include "FilterChecks.h"
@@ -20,7 +20,7 @@ using palpate::Vector3;
 
 constexpr double Range = 1.5;
 
-/// A sphere of 10 mm with bumps of 1 mm, a different modulus at each point.
+/// A sphere of 10 mm with bumps of 1 mm and another modulus at each point.
 Body bumpyBody()
 {
   Body body = sphereBody(10.0, 3);
@@ -45,7 +45,7 @@ Body bumpyBody()
   return output;
 }
 
-/// The points and triangles of a body, for the search by brute force.
+/// The points and triangles of a body for the brute-force search.
 Surface surfaceOf(vtkPolyData* body)
 {
   Surface surface;
@@ -65,7 +65,7 @@ Surface surfaceOf(vtkPolyData* body)
   return surface;
 }
 
-/// Σ n_i f_i along the normalised Σ n_i U_i, with area coordinates from areas.
+/// Σ n_i f_i along the normalised Σ n_i U_i, with area coordinates computed from areas.
 std::array<double, 3> blendedForce(vtkPolyData* body, const Nearest& contact)
 {
   vtkCell* triangle = body->GetCell(contact.triangle);
@@ -100,8 +100,9 @@ void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
   vtkPointData* data = output->GetPointData();
   const Surface surface = surfaceOf(body);
   const std::vector<std::int32_t> all = allTriangles(surface);
-  // Coordinates of about 10 mm, forces of about 1 N, about 1e-15 lost in each of a few dozen steps.
-  // The area coordinates of the reference lose the square root by cancellation, 1e-8 of a facet.
+  // Coordinates of about 10 mm and forces of about 1 N have a rounding of about 1e-15 in each of a
+  // few dozen steps. The area coordinates of the reference lose half of their digits by
+  // cancellation: 1e-8 of a facet.
   constexpr double Length = 1e-11;
   constexpr double Force = 1e-7;
   std::array<int, 6> states{};
@@ -134,19 +135,19 @@ void checkBruteForce(vtkPolyData* body, vtkPolyData* tips, vtkPolyData* output)
     for (std::size_t c = 0; c < 3; ++c)
     {
       const auto place = static_cast<double>(expected.point[static_cast<Eigen::Index>(c)]);
-      PALPATE_CHECK_NEAR(found[c], place, 1e-7); // flat minimum: square root of Length
+      PALPATE_CHECK_NEAR(found[c], place, 1e-7); // at a flat minimum: square root of Length
       PALPATE_CHECK_NEAR(actual[c], force[c], Force);
     }
     const double normalForce = data->GetArray("NormalForce")->GetTuple1(i);
     PALPATE_CHECK_NEAR(vtkMath::Norm(actual), normalForce, 1e-14 * normalForce);
     data->GetArray("Normal")->GetTuple(i, found);
     PALPATE_CHECK_NEAR(vtkMath::Dot(actual, found), normalForce, 1e-14 * normalForce);
-    // Two triangles may be equally near at an edge: the returned cell must be as close.
+    // Two triangles may be equally near at an edge. The returned cell must be at the same distance.
     const auto cell = static_cast<std::int32_t>(data->GetArray("ContactCell")->GetTuple1(i));
     const Nearest there = nearestOf(surface, tip, { cell });
     PALPATE_CHECK_NEAR(static_cast<double>(there.distance), depth, Length);
   }
-  PALPATE_CHECK(states[0] > 50 && states[2] > 50 && states[3] > 50); // the test includes all cases
+  PALPATE_CHECK(states[0] > 50 && states[2] > 50 && states[3] > 50); // all cases occur
 }
 
 void checkArrays(vtkPolyData* tips, vtkPolyData* output)

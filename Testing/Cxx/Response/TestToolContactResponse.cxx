@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of the data contract: names, types, shapes and values; normals; arrays that are passed
-// on.
+// The arrays of the data contract: names, types, shapes and values. Also normals, and arrays that
+// are passed on.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -117,7 +117,7 @@ void checkPassThrough(vtkPolyData* input, vtkPolyData* output)
     input->GetFieldData()->GetAbstractArray("Origin"));
 }
 
-/// The parts of an input that must not change: modification times and values.
+/// The properties of an input that must not change: modification times and values.
 struct Snapshot
 {
   explicit Snapshot(vtkPolyData* body)
@@ -152,7 +152,7 @@ struct Snapshot
   std::vector<vtkMTimeType> Times;
 };
 
-/// Angle-weighted normals (Thürmer and Wüthrich 1998), computed by VTK's own vector arithmetic.
+/// Angle-weighted normals (Thürmer and Wüthrich 1998), computed with VTK's vector functions.
 std::vector<std::array<double, 3>> angleWeighted(vtkPolyData* body)
 {
   std::vector<std::array<double, 3>> sum(static_cast<std::size_t>(body->GetNumberOfPoints()));
@@ -186,7 +186,7 @@ std::vector<std::array<double, 3>> angleWeighted(vtkPolyData* body)
 
 void checkNormals(vtkContactTool* tool)
 {
-  // Float unit vectors: components have an error of up to 6e-8, lengths 1e-7.
+  // Unit vectors as floats: components have an error of up to 6e-8, lengths of 1e-7.
   constexpr double FloatUnit = 1.3e-7;
   Body body = decoratedBody();
   auto filter = makeFilter(body, tool);
@@ -221,7 +221,7 @@ int TestToolContactResponse(int, char*[])
   Body body = decoratedBody();
   auto filter = makeFilter(body, tool);
   Messages messages(filter.Get());
-  body->BuildCells(); // otherwise the copy in Snapshot builds them
+  body->BuildCells(); // otherwise the copy in Snapshot would build the cells
   const Snapshot before(body);
   filter->Update();
   PALPATE_CHECK(messages.none());
@@ -229,7 +229,7 @@ int TestToolContactResponse(int, char*[])
   checkContract(filter->GetOutput(), "Response", tool);
   checkPassThrough(body, filter->GetOutput());
 
-  // A second tool with another name, on the output of the first.
+  // A second tool with another response name, on the output of the first filter.
   auto second = makeFilter(nullptr, tool);
   second->SetInputConnection(filter->GetOutputPort());
   second->SetResponseName("Other");

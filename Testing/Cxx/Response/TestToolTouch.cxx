@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One touch, shown: forces by the tool's closed form, the position of the tip, the data of the four
-// ports.
+// One touch and its display: forces by the tool's closed form, the position of the tip, the data of
+// the four ports.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 
@@ -15,11 +15,11 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Modulus = 3.45; // as in withResponse
+constexpr double Modulus = 3.45; // E* of withResponse, MPa
 constexpr double Range = 2.0;
 // Error of stored floats and of the spline between samples. The spline is exact at samples, but
-// half of Range is not a sample. For the power law of a paraboloid the samples reproduce the curve
-// to float rounding.
+// half of the range is not a sample. For a paraboloid, whose law is a power, the samples reproduce
+// the curve to float rounding.
 constexpr double Stored = 1e-6;
 
 double number(vtkToolTouch* touch, const char* name, int component = 0)
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkToolTouch> touchOf(vtkPolyData* body, double x, double y, dou
   return touch;
 }
 
-/// Largest distance between the tail and any point of the arrow.
+/// Largest extent of the arrow from its tail along the force.
 double arrowLength(vtkToolTouch* touch)
 {
   vtkPolyData* arrow = touch->GetOutput(vtkToolTouch::ArrowPort);
@@ -60,7 +60,8 @@ double arrowLength(vtkToolTouch* touch)
   return longest;
 }
 
-/// A paraboloid on a plane: snapped from far above to half of Range, then moved.
+/// A paraboloid on a plane: the tip is snapped from far above to a depth of half the range, then
+/// moved.
 void checkForces()
 {
   const Body body = withResponse(planeBody(20.0, 40), "paraboloid:5", Range);
@@ -70,17 +71,19 @@ void checkForces()
   const double half = tool->GetForce(0.5 * Range, Modulus);
   PALPATE_CHECK_NEAR(number(touch, "NormalForce"), half, Stored * half);
   PALPATE_CHECK_NEAR(number(touch, "Force", 2), half, Stored * half);
-  PALPATE_CHECK_NEAR(number(touch, "Deflection"), 0.5 * Range, 1e-6); // float coordinates
+  PALPATE_CHECK_NEAR(number(touch, "Deflection"), 0.5 * Range, 1e-6); // the coordinates are floats
   const double slope = tool->GetStiffness(0.5 * Range, Modulus);
   PALPATE_CHECK_NEAR(
-    number(touch, "Stiffness"), slope, 1e-5 * slope); // the derivative of the force above
+    // the stiffness is the derivative of the force
+    number(touch, "Stiffness"), slope, 1e-5 * slope);
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 0), 1.3, 1e-12);
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 1), -2.2, 1e-12);
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), -0.5 * Range, 1e-6);
   const double scale = number(touch, "ForceScale");
   PALPATE_CHECK_NEAR(arrowLength(touch), scale * half, 1e-5 * scale * half);
 
-  // The scale is that of the body: the arrow of a deeper press elsewhere is longer in proportion.
+  // The scale of the arrow is that of the body, so the arrow of a deeper press is longer in
+  // proportion to the force.
   touch->SetTipPosition(-4.0, 3.0, -7.0);
   touch->SetIndentation(1.5);
   touch->Update();
@@ -92,7 +95,7 @@ void checkForces()
   touch->Update();
   PALPATE_CHECK_NEAR(arrowLength(touch), 7.0 * deep, 1e-5 * 7.0 * deep);
 
-  // Without snap the tip stays at its position.
+  // Without Snap the tip stays at its position.
   touch->SnapOff();
   touch->SetIndentation(0.0);
   touch->SetTipPosition(0.4, 0.3, -0.7);
@@ -106,7 +109,7 @@ void checkForces()
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), -1.0, 1e-6);
 }
 
-/// Away from the surface there is no force, and the text states the distance.
+/// At a distance from the surface there is no force, and the text states the distance.
 void checkNoContact()
 {
   const Body body = withResponse(planeBody(20.0, 40), "paraboloid:5", Range);
@@ -123,11 +126,11 @@ void checkNoContact()
   }
   double bounds[6];
   touch->GetOutput(vtkToolTouch::ToolPort)->GetBounds(bounds);
-  PALPATE_CHECK_NEAR(bounds[4], 3.25, 1e-9); // the tool is on its tip
+  PALPATE_CHECK_NEAR(bounds[4], 3.25, 1e-9); // the tool is drawn at its tip
 }
 
-/// The points move by the tool's own field. Arrays are passed on, the input is unchanged, and the
-/// normals follow.
+/// The points move by the tool's own field. Arrays are passed on, the input is unchanged, and
+/// normals are those of the deformed surface.
 void checkDent()
 {
   constexpr double Depth = 0.8;
@@ -154,7 +157,7 @@ void checkDent()
   vtkDataArray* dent = dented->GetPointData()->GetArray("Dent (mm)");
   PALPATE_CHECK(dent && dent == dented->GetPointData()->GetScalars());
   const double exact =
-    0.75 * 12.0 * tool->GetContactRadius(Depth); // the field fades beyond this distance
+    0.75 * 12.0 * tool->GetContactRadius(Depth); // the field falls to zero beyond this distance
   int checked = 0;
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
@@ -170,13 +173,14 @@ void checkDent()
     }
     double u[2];
     tool->GetSurfaceDisplacement(r, Depth, 0.45, u);
-    PALPATE_CHECK_NEAR(is[2], -u[1], 1e-6 * Depth); // floats
+    PALPATE_CHECK_NEAR(is[2], -u[1], 1e-6 * Depth); // 1e-6: stored as floats
     PALPATE_CHECK_NEAR(dent->GetTuple1(i), u[1], 1e-6 * Depth);
     ++checked;
   }
   PALPATE_CHECK(checked > 1000);
 
-  // Near the contact the surface falls towards it, so its normal is tilted the same way.
+  // Near the contact the surface slopes down to the contact, so its normal is tilted towards the
+  // contact.
   vtkDataArray* normals = dented->GetPointData()->GetNormals();
   PALPATE_CHECK(normals && normals != up);
   const vtkIdType beside = dented->vtkDataSet::FindPoint(3.0, 0.0, 0.0);
@@ -187,14 +191,13 @@ void checkDent()
   tool->GetSurfaceDisplacement(2.5, Depth, 0.45, below);
   tool->GetSurfaceDisplacement(3.5, Depth, 0.45, above);
   const double slope = std::atan2(below[1] - above[1], 1.0 + above[0] - below[0]);
-  // The facets of a vertex reach its neighbours, 0.5 mm to each side; their mean is weighted by
-  // area.
+  // The facets at a vertex extend 0.5 mm to each side. Their mean normal is weighted by area.
   PALPATE_CHECK_NEAR(normals->GetComponent(beside, 0), -std::sin(slope), 0.15 * std::sin(slope));
   const vtkIdType corner = dented->vtkDataSet::FindPoint(20.0, 20.0, 0.0);
   PALPATE_CHECK_NEAR(normals->GetComponent(corner, 2), 1.0, 0.0);
 }
 
-/// Two flat ends: alone, and coupled by Boussinesq's 1/(π E* r).
+/// Two flat ends, alone and coupled by Boussinesq's 1/(π E* r).
 void checkSecondTip()
 {
   constexpr double Depth = 0.4;
@@ -219,7 +222,8 @@ void checkSecondTip()
     touch->SecondTipOn();
     touch->SetSecondTipPosition(Apart - 3.0, 0.2, 20.0);
     touch->Update();
-    const double share = isCoupled ? 4.0 / (3.14159265358979323846 * Apart) : 0.0; // K C
+    // stiffness K times coupling compliance C
+    const double share = isCoupled ? 4.0 / (3.14159265358979323846 * Apart) : 0.0;
     vtkDataArray* forces =
       touch->GetOutput(vtkToolTouch::ArrowPort)->GetFieldData()->GetArray("NormalForce");
     PALPATE_CHECK(forces && forces->GetNumberOfTuples() == 2);
@@ -239,7 +243,8 @@ void checkSecondTip()
     vtkDataArray* dent =
       touch->GetOutput(vtkToolTouch::BodyPort)->GetPointData()->GetArray("Dent (mm)");
     const vtkIdType under = response->GetOutput()->vtkDataSet::FindPoint(-3.0, 0.0, 0.0);
-    // The other tip's field under the tip differs from its law, that of a point force, by 2 %.
+    // The field of the other tip at this distance differs by 2 % from the coupling law, which is
+    // that of a point force.
     PALPATE_CHECK_NEAR(dent->GetTuple1(under),
       isCoupled ? Depth : Depth * (1.0 + 4.0 / (3.14159265358979323846 * Apart)), 0.02 * Depth);
     touch->SecondTipOff();
@@ -253,7 +258,7 @@ void checkSecondTip()
   }
 }
 
-/// A ball pressed from any side: the tool is along its radius, with its tip in place.
+/// A ball pressed from different sides: the tool is drawn along the radius of the ball, at its tip.
 void checkTool()
 {
   constexpr double Radius = 30.0;
@@ -275,7 +280,7 @@ void checkTool()
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-    // The facets of the ball are up to 0.04 mm inside it; their blended normals have an error of
+    // The facets of the ball are up to 0.04 mm inside it. Their blended normals have an error of
     // 0.02.
     PALPATE_CHECK_NEAR(lowest, Radius - 0.5 * Range, 0.05);
     PALPATE_CHECK_NEAR(highest, Radius - 0.5 * Range + 20.0, 0.1);
@@ -284,7 +289,7 @@ void checkTool()
   }
 }
 
-/// The statement of the text on the validity of the number.
+/// The text states whether the force is valid.
 void checkValidity()
 {
   const Body body = withResponse(planeBody(20.0, 40), "sphere:5", Range);
@@ -342,7 +347,7 @@ void checkErrors()
   PALPATE_CHECK(messages.none());
   PALPATE_CHECK(number(touch, "NormalForce") > 0.0);
 
-  // Another body in the same place is pressed without any further call.
+  // Another body at the same place is used without any further call.
   touch->SetInputData(withResponse(planeBody(20.0, 10, 3.0), "flat:2", Range));
   touch->Update();
   PALPATE_CHECK_NEAR(number(touch, "TipPosition", 2), 2.0, 1e-6);

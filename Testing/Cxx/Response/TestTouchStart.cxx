@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The start of a touch: on bodies with known flat parts, and its visibility.
+// The start position of a touch: on bodies with known flat parts, and its visibility.
 #include "FilterChecks.h"
 #include "TestBodies.h"
 #include "Response/Touch/TouchStart.h"
@@ -20,7 +20,8 @@ using palpate::Vector3;
 
 constexpr double Range = 2.0;
 const char* const Tool = "sphere:5";
-constexpr double Contact = 2.3; // mm, of the sphere of 5 mm half of Range deep: sqrt(R d), roughly
+// contact radius of the sphere of 5 mm at half of the range, about sqrt(R d), mm
+constexpr double Contact = 2.3;
 
 Vector3 startOf(vtkPolyData* body, const Vector3& towards = Vector3::UnitZ(),
   const Vector3& up = Vector3::UnitY())
@@ -41,7 +42,7 @@ void movePoints(vtkPolyData* body, const std::function<Vector3(const Vector3&)>&
   body->GetPoints()->Modified();
 }
 
-/// A ball of 30 mm with a tail of 60 mm towards `tail`, which is the corner of its bounding box.
+/// A ball of 30 mm with a tail of 60 mm in the direction `tail`, the corner of its bounding box.
 Body ballWithTail(const Vector3& tail)
 {
   const Body body = sphereBody(30.0, 5);
@@ -54,7 +55,8 @@ Body ballWithTail(const Vector3& tail)
   return withResponse(body, Tool, Range);
 }
 
-/// On the ball, not on the tail or its root; visible from the viewer and facing the viewer.
+/// The start is on the ball, not on the tail or its root. It is visible and has a normal towards
+/// the viewer.
 void checkTail()
 {
   const Vector3 tail(1.0, 1.0, 1.0);
@@ -67,30 +69,32 @@ void checkTail()
   {
     const Vector3 start = startOf(body, towards, Vector3(0.1, 0.2, 1.0));
     PALPATE_CHECK_NEAR(
-      start.norm(), 30.0, 0.1); // the sag of the facets is 0.02 mm, the foot of the root less
+      // the facets are up to 0.02 mm inside the ball; the root of the tail is lower there
+      start.norm(), 30.0, 0.1);
     const double off = std::acos(start.normalized().dot(tail.normalized()));
-    PALPATE_CHECK(off > 0.4); // where the tail is lower than 0.1 mm, exp(-8)
+    PALPATE_CHECK(off > 0.4); // beyond this angle the tail is lower than 0.1 mm, exp(-8)
     PALPATE_CHECK(start.normalized().dot(towards.normalized()) > 0.5);
-    PALPATE_CHECK(start.normalized().dot(towards.normalized()) < 0.99); // not at its end
+    // not at the point nearest to the viewer
+    PALPATE_CHECK(start.normalized().dot(towards.normalized()) < 0.99);
   }
 }
 
-/// If all places are equal, the middle is best.
+/// If all places are equivalent, the start is in the middle.
 void checkPlane()
 {
   const Body plane = planeBody(20.0, 40, 5.0);
   movePoints(plane, [](const Vector3& x) { return Vector3(x + Vector3(70.0, -11.0, 0.0)); });
   const Vector3 start = startOf(withResponse(plane, Tool, Range));
   PALPATE_CHECK_NEAR((start - Vector3(70.0, -11.0, 5.0)).norm(), 0.0, 1e-9);
-  // From behind or from its edge nothing is visible: then the start is that of the next side with a
-  // view.
+  // Seen from behind or along the plane nothing is visible. The start is then that of the next
+  // direction from which the plane is visible.
   const Body body = withResponse(plane, Tool, Range);
   PALPATE_CHECK_NEAR((startOf(body, { 0, 0, -1 }) - start).norm(), 0.0, 1e-9);
   PALPATE_CHECK_NEAR((startOf(body, { 1, 0, 0 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
   PALPATE_CHECK_NEAR((startOf(body, { 0, 0, 1 }, { 0, 0, 1 }) - start).norm(), 0.0, 1e-9);
 }
 
-/// Away from the edges of a box, for any number of triangles.
+/// The start is away from the edges of a box, for any number of triangles.
 void checkBox()
 {
   for (const int cells : { 1, 16 })
@@ -103,8 +107,8 @@ void checkBox()
   }
 }
 
-/// Rough in the middle: the start is next to it. Only the shape decides; the response states no
-/// validity.
+/// A plane that is rough in the middle: the start is outside the rough part. Only the shape has an
+/// effect, because the response states no validity.
 void checkRough()
 {
   const Body plane = planeBody(30.0, 60);
@@ -120,7 +124,7 @@ void checkRough()
   PALPATE_CHECK(start.head<2>().norm() > 12.0 + Contact && start.head<2>().norm() < 25.0);
 }
 
-/// The start is on the part in front, not on the hidden one.
+/// The start is on the part in front, not on the hidden part.
 void checkHidden()
 {
   const Body far = planeBody(30.0, 30, 0.0);
@@ -144,7 +148,7 @@ void checkHidden()
   PALPATE_CHECK_NEAR((start - Vector3(0, 0, 15)).norm(), 0.0, 1e-9);
 }
 
-/// Only where the law is valid, and where there is a response at all.
+/// The start is where the law is valid, and only at points with a response.
 void checkResponse()
 {
   const Body plane = planeBody(20.0, 40);
@@ -161,12 +165,12 @@ void checkResponse()
   PALPATE_CHECK(valid.x() >= 4.0 && valid.x() < 8.0);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    validity->SetValue(i, 0.0F); // equal everywhere: the middle
+    validity->SetValue(i, 0.0F); // the same everywhere, so the start is in the middle
   }
   PALPATE_CHECK_NEAR(startOf(body).norm(), 0.0, 1e-9);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    status->SetValue(i, isLeft(i) ? 4 : 0); // out of reach
+    status->SetValue(i, isLeft(i) ? 4 : 0); // 4: out of reach
   }
   PALPATE_CHECK(startOf(body).x() >= 4.0 && startOf(body).x() < 8.0);
   status->FillValue(4);
@@ -179,7 +183,8 @@ void checkResponse()
   PALPATE_CHECK(start[0] == 7.0 && start[1] == 8.0 && start[2] == 9.0);
 }
 
-/// A view of a part: its middle, also in perspective. A view of nothing: as for the whole body.
+/// If a view shows only a part of the body, the start is in the middle of this part, also in
+/// perspective. If a view shows nothing, the start is that for the whole body.
 void checkSight()
 {
   const Body body = withResponse(planeBody(40.0, 80), Tool, Range);
@@ -194,18 +199,20 @@ void checkSight()
   near.halfWidth = near.halfHeight = 0.02;
   PALPATE_CHECK_NEAR((middleOf(near) - Vector3(15, -8, 0)).norm(), 0.0, 1e-9);
   near.halfWidth = near.halfHeight =
-    1.0; // all is visible; the lines of sight differ, and some have a better angle
+    // the whole body is visible; lines of sight differ in perspective, so some places have a better
+    // angle
+    1.0;
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 8.0);
   near.halfWidth = near.halfHeight = 0.02;
-  near.towards = Vector3(1.0, 0.0, 0.2).normalized(); // looks past the body
+  near.towards = Vector3(1.0, 0.0, 0.2).normalized(); // the view direction does not meet the body
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
   near.towards = Vector3::UnitZ();
   near.eye.z() = -20.0; // the body is behind the viewer
   PALPATE_CHECK_NEAR(middleOf(near).norm(), 0.0, 1e-9);
 }
 
-/// A touch without a set position begins at the start. A position that was set is kept, even 0, 0,
-/// 0.
+/// A touch without a position begins at the start position. A position that was set is kept, even
+/// 0, 0, 0.
 void checkTouch()
 {
   const Body body = ballWithTail({ 1.0, 1.0, 1.0 });
@@ -222,12 +229,13 @@ void checkTouch()
       ->GetTuple(0, place);
     return Vector3(place);
   };
-  // After the press along the blended normal its projection is slightly shifted on facets.
+  // The tip was pressed along the blended normal, so its projection is slightly shifted on facets.
   PALPATE_CHECK_NEAR((tip() - start).norm(), 0.0, 0.02);
   const Body shifted = ballWithTail({ 1.0, 1.0, 1.0 });
   movePoints(shifted, [](const Vector3& x) { return Vector3(x + Vector3(500, 0, 0)); });
   touch->SetInputData(withResponse(shifted, Tool, Range));
-  PALPATE_CHECK_NEAR((tip() - Vector3(500, 0, 0) - start).norm(), 0.0, 0.02); // a new start
+  // the new body has a new start
+  PALPATE_CHECK_NEAR((tip() - Vector3(500, 0, 0) - start).norm(), 0.0, 0.02);
   touch->SetInputData(body);
   touch->SetTipPosition(1.0, 2.0, -50.0);
   PALPATE_CHECK(tip().z() < -29.0);

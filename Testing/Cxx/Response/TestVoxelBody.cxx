@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVoxelBody: volume, conformity, held points, errors; and the compliance of its output.
+// vtkVoxelBody: volume, conformity, held points, errors. Also the compliance of a body from its
+// output.
 #include "BoxOnGround.h"
 #include "FilterChecks.h"
 
@@ -39,7 +40,8 @@ vtkSmartPointer<vtkVoxelBody> makeFilter(vtkPolyData* body, double spacing)
   return filter;
 }
 
-/// Volume of the grid's outer surface, and the distance of its points from a ball of this radius.
+/// Volume inside the grid's outer surface, and the distance of its points from a ball of this
+/// radius.
 struct Shape
 {
   double volume = 0.0;
@@ -92,9 +94,12 @@ void checkBall()
             << "), distance " << conforming.meanDistance << " (" << stairs.meanDistance
             << ") mm, edges " << conforming.edgeShare << " (" << stairs.edgeShare << ")"
             << std::endl;
-  PALPATE_CHECK_NEAR(conforming.volume / exact, 1.0, 0.02); // faceted, some corners are limited
-  PALPATE_CHECK(stairs.volume < 0.95 * exact);              // only whole voxels
-  PALPATE_CHECK(conforming.meanDistance < 0.02);            // 80 × 60 facets sag by up to 0.03 mm
+  // the surface is faceted, and the motion of some corners is limited
+  PALPATE_CHECK_NEAR(conforming.volume / exact, 1.0, 0.02);
+  // only whole voxels, without moved corners
+  PALPATE_CHECK(stairs.volume < 0.95 * exact);
+  // facets of the 80 × 60 ball are up to 0.03 mm inside it
+  PALPATE_CHECK(conforming.meanDistance < 0.02);
   PALPATE_CHECK(conforming.edgeShare < 0.1 && stairs.edgeShare > 0.5);
 }
 
@@ -113,7 +118,8 @@ void checkHeld()
     }
     return count;
   };
-  // A core of 4 × 2 × 1 voxels and the layer around it, whose corners are those of the body.
+  // A core of 4 × 2 × 1 voxels and the layer of voxels around it, whose corners are those of the
+  // body.
   PALPATE_CHECK(held("z-") == 5 * 3);
   PALPATE_CHECK(held("x+") == 3 * 2);
   PALPATE_CHECK(held("z-, z+") == 2 * 5 * 3);

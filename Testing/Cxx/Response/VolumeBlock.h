@@ -20,7 +20,7 @@ namespace palpate::testing
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// side × side × height cells of 1 mm on a fixed base, as voxels or hexahedra.
+/// A block of side × side × height cells of 1 mm on a fixed base, as voxels or hexahedra.
 inline Grid block(int side, int height, int cellType = VTK_VOXEL)
 {
   vtkNew<vtkPoints> points;
@@ -67,7 +67,8 @@ inline Grid block(int side, int height, int cellType = VTK_VOXEL)
   return grid;
 }
 
-/// x × y × z voxels of 1 mm, held where `isFixed(i, j)` is true for their corners along x and y.
+/// A block of x × y × z voxels of 1 mm. A point is held if `isFixed(i, j)` is true for its indices
+/// along x and y.
 inline Grid voxels(int x, int y, int z, const std::function<bool(int, int)>& isFixed)
 {
   auto grid = Grid::New();

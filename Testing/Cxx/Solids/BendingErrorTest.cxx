@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stated share of a plate's bending that its elements miss, against elements of half the size;
-// and its transfer from place to place.
+// The stated fraction of a plate's bending that its elements miss, against elements of half the
+// size; and the interpolation of this fraction between places. H is the regular part of the Green
+// function (RegularGreen.h).
 #include "Solids/TrueShape/BendingError.h"
 
 #include "ShapedBodies.h"
@@ -9,7 +10,8 @@ namespace
 {
 using namespace palpate;
 
-/// A plate of 10 by 10 mm, 2 mm thick, held at two ends; quadratic tetrahedra of this side.
+/// A plate of 10 by 10 mm, 2 mm thick, held at two ends, of quadratic tetrahedra with the given
+/// side.
 ElasticBodyInput plate(double side)
 {
   const int along = static_cast<int>(10.0 / side + 0.5);
@@ -20,7 +22,7 @@ ElasticBodyInput plate(double side)
     10.0);
 }
 
-/// H at a place on the plate, and its stated error.
+/// H at a place on the plate, and the stated error of H.
 struct Told
 {
   double self = 0.0; ///< mm/N
@@ -60,7 +62,7 @@ TEST(BendingError, IsCarriedByDistanceAndBending)
 {
   const auto at = [](double x) { return Eigen::Vector3d(x, 0.0, 0.0); };
   EXPECT_EQ(BendingError({}).at(at(0.0)), BendingError::Assumed);
-  // x of 4 and 2 per cent.
+  // x is 4 % at the first sample and 2 % at the second.
   const BendingError both({ { at(0.0), 1.0, 0.01 }, { at(10.0), 2.0, 0.01 } });
   EXPECT_NEAR(both.at(at(0.0)), 0.04 / 0.96, 1e-12);
   EXPECT_NEAR(both.at(at(10.0)), 0.02 / 0.98, 1e-12);
@@ -69,8 +71,8 @@ TEST(BendingError, IsCarriedByDistanceAndBending)
   EXPECT_EQ(BendingError({ { at(0.0), 1.0, 10.0 } }).at(at(1.0)), BendingError::Most);
 }
 
-// Single sources whose own field is a hundred times their effect by bending, also at the place
-// itself.
+// Every fourth sample has an energy that is a hundred times that of bending, from the field of the
+// source itself. Such a sample must have no effect, not even at its own place.
 TEST(BendingError, LeavesOutWhatIsNoBending)
 {
   std::vector<BendingError::Sample> samples;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stated error of a compliance must bound the true one: against the exact layer, a plate, and
+// The stated error of a compliance must bound the true error: against the exact layer, a plate, and
 // meshes of half the element size, for bodies to which the estimate was not fitted.
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/EnergyError.h"
@@ -90,7 +90,7 @@ double exactLayer(double nu)
   return NotANumber;
 }
 
-/// The middle of the top of the body.
+/// Number of the surface point in the middle of the top.
 std::size_t middleOf(const Stated& stated)
 {
   const double middle = 0.5 * stated.body.mesh().nodes.row(0).maxCoeff();
@@ -98,8 +98,8 @@ std::size_t middleOf(const Stated& stated)
     pointAt(stated.body.surface(), Eigen::Vector3d(middle, middle, Height)));
 }
 
-/// The share of compliances whose error exceeds the stated one: coarse elements are compared with
-/// elements of half the side, at the points that both have.
+/// Fraction of the compliances whose error exceeds the stated error. Coarse elements are compared
+/// with elements of half the side, at the points that both meshes have.
 double missed(const std::function<ElasticBodyInput(int)>& bodyOf)
 {
   const Stated coarse(bodyOf(1));
@@ -114,7 +114,7 @@ double missed(const std::function<ElasticBodyInput(int)>& bodyOf)
       fine.found.status[static_cast<std::size_t>(j)] == PatchStatus::Valid)
     {
       const double better = fine.found.compliance[static_cast<std::size_t>(j)];
-      // Second order: a third of the step remains.
+      // The error is of second order, so the finer mesh has a third of the difference.
       const double error = 4.0 / 3.0 * std::abs(coarse.found.compliance[at] - better);
       ++compared;
       beyond += error > coarse.errors[at] ? 1 : 0;
@@ -148,8 +148,8 @@ TEST(ComplianceError, HoldsOnALayer)
   }
 }
 
-// Second order in the elements: a useful bound must shrink with them. In the middle, where C_g does
-// not depend on the elements.
+// The error of the elements is of second order, and a useful bound must decrease with their size.
+// Compared in the middle, where the exact C_g does not depend on the mesh.
 TEST(ComplianceError, ShrinksWithTheElements)
 {
   const auto relative = [](Cells cells, int elements)
@@ -211,9 +211,9 @@ TEST(ComplianceError, EndsWhenToldTo)
   EXPECT_TRUE(complianceErrors(stated.body, stated.found, [](double) { return false; }).empty());
 }
 
-// Stress that is linear in space equals its own mean. If it jumps by s between two halves of a bar
-// in tension, the error is that of linear slopes over the two elements next to the jump: (s/2)²/3/E
-// in each.
+// A stress that is linear in space equals its averaged stress, so the error is 0. If the stress
+// jumps by s between two halves of a bar in tension, the averaged stress is linear in the two
+// elements next to the jump: the error is (s/2)²/3/E in each.
 TEST(EnergyError, OfALinearFieldIsNothingAndOfAStepItsSlopes)
 {
   const VolumeMesh mesh = palpate::testing::hexahedronBlock(4, 2, 2, 1.0);

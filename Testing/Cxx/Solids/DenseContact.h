@@ -15,14 +15,14 @@
 namespace palpate::testing
 {
 /**
- * A contact from the H of a fit without angle means: square cells of uniform pressure, Love's
- * half-space plus H between their centres, and an iterated active set. An independent second way
- * from the same H.
+ * A contact computed from the H of a fit without means over angles, as an independent second way
+ * from the same H: square cells of uniform pressure, Love's solution for the half-space plus H
+ * between their centres, and an iterated active set. H is the regular part of the Green function.
  */
 class DenseContact
 {
 public:
-  /// Cells of this side within `radius` of the point.
+  /// Makes square cells of this side at distances of up to `radius` from the point.
   DenseContact(const ContactKernelFit& fit, double radius, double side)
     : Side(side)
   {
@@ -53,7 +53,8 @@ public:
     this->Regular = side * side * carry * fit.values() * carry.transpose();
   }
 
-  /// The force at a depth under the gap f(r). With `withRegular` false: on the half-space alone.
+  /// The force at a depth of the tip, for a tool with the gap f(r). With `withRegular` false: that
+  /// on a half-space.
   double force(double depth, const std::function<double(double)>& gap, bool withRegular) const
   {
     const Eigen::MatrixXd whole =
@@ -93,13 +94,15 @@ public:
       {
         return pressure.sum() * this->Side * this->Side;
       }
-      active = kept; // removed cells do not return: the contact only shrinks from f < depth
+      // removed cells do not return: the contact begins as f < depth and only shrinks
+      active = kept;
     }
     return NotANumber;
   }
 
 private:
-  /// Displacement at `at` from the centre of a square under unit pressure, over 1/(πE*); Love 1929.
+  /// Displacement at `at`, measured from the centre of a square under unit pressure, divided by
+  /// 1/(πE*); Love 1929.
   double love(const Eigen::Vector2d& at) const
   {
     const double h = 0.5 * this->Side;
@@ -112,8 +115,8 @@ private:
       corner(at[0] + h, at[1] - h) - corner(at[0] - h, at[1] + h);
   }
 
-  /// Interpolation from the points of the fit to the cells by a polynomial of degree 6, or 4 for
-  /// few points.
+  /// Interpolates from the points of the fit to the cells by a polynomial of degree 6, or of degree
+  /// 4 for few points.
   Eigen::MatrixXd interpolation(const ContactKernelFit& fit, double radius) const
   {
     const int degree = fit.points().size() > 40 ? 6 : 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of two curves a point gets: its own, or that of direct contact. On a bonded layer, whose
+// The choice between a point's own curve and the curve of direct contact, on a bonded layer, whose
 // exact law is known.
 #include "Solids/Curves/DirectCurve.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
@@ -25,7 +25,7 @@ constexpr double Depth = 0.4;
 constexpr int Samples = 8;
 constexpr ElasticMaterial Material{ 1.0, 0.45 };
 
-/// A layer on a rigid base at z = 0, with facets `side` long around the middle.
+/// A layer on a rigid base at z = 0, with facets of this side around the middle.
 struct Layer
 {
   explicit Layer(double side)
@@ -46,7 +46,8 @@ struct Layer
 class DirectCurve : public ::testing::Test
 {
 protected:
-  /// The exact curve times a factor, up to a depth, with the same stated error everywhere.
+  /// Sets the point's curve to the exact curve times a factor, up to a depth, with the same stated
+  /// error everywhere.
   void fill(double factor, double stated, double range = Depth)
   {
     for (int k = 0; k < Samples; ++k)
@@ -61,7 +62,7 @@ protected:
     this->Range = static_cast<float>(range);
   }
 
-  /// Result of contacts on two meshes.
+  /// Returns the outcome for contacts on two meshes.
   DirectOutcome take(const DirectPress& finer, const DirectPress& coarser, bool finite = false)
   {
     const DirectTerms terms{ this->Sphere.get(), Material, Depth, 0.05, nullptr, finite };
@@ -70,7 +71,7 @@ protected:
         &this->Status, &this->Limit, this->Error.data() });
   }
 
-  /// A press at a height over the base.
+  /// A press at a place at this height above the base.
   static DirectPress press(const ElasticBody& body, const AxisymmetricTool& sphere, double height)
   {
     const DirectPlace at{ { 0.0, 0.0, height }, -Eigen::Vector3d::UnitZ() };
@@ -91,10 +92,10 @@ protected:
   unsigned char Limit = 0;
 };
 
-/// A law with a smaller error is kept; so is any law where the tool touches nothing. Three laws are
-/// replaced: one with a stated error of half of its force, one with that error but a small stated
-/// one, and one that ends at a fifth of the depth. Four facets over the contact radius, as in
-/// DirectContactTest: 2 %.
+/// A law with a smaller error is kept, and so is any law at a place where the tool touches nothing.
+/// Three laws are replaced: one whose stated error is half of its force, one whose force is half of
+/// the exact one but whose stated error is small, and one that ends at a fifth of the depth. Four
+/// facets over the contact radius, as in DirectContactTest, have an error of 2 %.
 TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
 {
   const Layer fine(0.45);
@@ -132,22 +133,23 @@ TEST_F(DirectCurve, TheCurveThatIsBetterKnownIsTaken)
       const double error = std::abs(static_cast<double>(this->Force[i]) / exact.force - 1.0);
       EXPECT_GT(this->Force[i], before) << k;
       before = this->Force[i];
-      if (k >= 3) // before, contacts are smaller than two facets, and the former curve is used
+      // at smaller depths the contact is smaller than two facets, and the point's own curve is used
+      if (k >= 3)
       {
         EXPECT_LE(error, static_cast<double>(this->Error[i])) << factor << " " << k;
       }
       if (k == Samples - 1)
       {
         EXPECT_LT(error, 0.02) << factor;
-        // Slopes of a contact that grows by a third of its radius per step.
+        // Error of slopes over steps in which the contact radius grows by a third.
         EXPECT_NEAR(static_cast<double>(this->Stiffness[i]) / exact.stiffness, 1.0, 0.08);
       }
     }
   }
 }
 
-/// At finite strain: the exact law times the factor from the axisymmetric solver's tables. If one
-/// of the meshes has no such contact the curve is kept.
+/// At finite strain the reference is the exact law times the factor from the axisymmetric solver's
+/// tables. The point's own curve is kept if one of the meshes has no contact at finite strain.
 TEST_F(DirectCurve, FiniteStrainIsSolvedForWhereAsked)
 {
   const Layer fine(0.7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compliance of a region by direction: a matrix from its motions, and kernels between landmarks
-// against a beam, which is soft across and stiff along its axis.
+// The compliance of a region for each direction: the matrix found from motions, and kernels between
+// landmarks against a beam, which is soft in bending and stiff along its axis.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/DirectedCompliance.h"
@@ -23,7 +23,7 @@ Eigen::Vector3d tilted(double degrees)
 }
 } // namespace
 
-// Six normals determine all of Γ, except for the damping: a thousandth.
+// Six normals determine the whole matrix Γ, except for the damping of a thousandth.
 TEST(DirectedCompliance, IsFoundFromMotions)
 {
   Eigen::Matrix3d truth;
@@ -40,7 +40,7 @@ TEST(DirectedCompliance, IsFoundFromMotions)
   EXPECT_EQ(found.matrix(), found.matrix().transpose());
 }
 
-// The motion at one normal determines the first-order change of its compliance with rotation: 2
+// The motion at one normal determines the change of the compliance with rotation to first order: 2
 // Δ·g.
 TEST(DirectedCompliance, TurnsByTheMotionOfOneNormal)
 {
@@ -59,8 +59,9 @@ TEST(DirectedCompliance, OfNoMotionIsNone)
   EXPECT_TRUE(none.matrix().isZero());
 }
 
-// A beam four times as wide as thick, held at one end. Along a normal tilted by θ its compliance is
-// cos²θ, plus a sixteenth of sin²θ, which the normals of its flat side do not contain.
+// A beam that is four times as wide as thick, held at one end. Along a normal tilted by θ its
+// compliance is cos²θ, plus a sixteenth of sin²θ, which motions along the normals of the flat side
+// do not contain.
 TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(20, 8, 2, 1.0);
@@ -88,7 +89,7 @@ TEST(DirectedCompliance, TurnsTheKernelsOfABeam)
     return BlendedKernels(landmarks, { place, normal, {} }, around).at(1.0).coefficients(0, 0);
   };
   const double level = along(tilted(0.0));
-  // Within 1.5 mm of the place on a flat side: only the effect of the damping.
+  // On the flat side within 1.5 mm of the place, only the damping has an effect.
   EXPECT_NEAR(level, beam.fit->at(1.0).coefficients(0, 0), 2e-3 * level);
   for (const double degrees : { 10.0, 25.0, 40.0 })
   {

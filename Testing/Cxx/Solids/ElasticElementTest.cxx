@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elements alone: rigid motions, homogeneous strain, inversion; and the patch test.
+// Single elements: rigid motions, homogeneous strain, inversion; and the patch test.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 
@@ -16,7 +16,7 @@ using palpate::testing::agrees;
 
 constexpr ElasticMaterial Material{ 2.0, 0.3 };
 
-/// A block of one distorted hexahedron, six tetrahedra, or six quadratic ones.
+/// A block of one distorted hexahedron, of six tetrahedra, or of six quadratic tetrahedra.
 VolumeMesh distorted(ElementKind kind)
 {
   VolumeMesh cube = palpate::testing::hexahedronBlock(1, 1, 1, 2.0);
@@ -36,7 +36,7 @@ VolumeMesh distorted(ElementKind kind)
 constexpr std::array<ElementKind, 3> Kinds = { ElementKind::Hexahedron, ElementKind::Tetrahedron,
   ElementKind::QuadraticTetrahedron };
 
-/// A displacement linear in space, and its energy density: ½ σ:ε with Hooke's law.
+/// A displacement that is linear in space, and its energy density ½ σ:ε by Hooke's law.
 struct Stretch
 {
   Eigen::Matrix3d gradient =
@@ -63,7 +63,7 @@ TEST(ElasticElement, SixRigidMotionsAndNoOthersAreFree)
     EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum{ Eigen::MatrixXd(k) };
     const auto& values = spectrum.eigenvalues();
-    EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff()); // rounding
+    EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-13 * values.maxCoeff()); // 1e-13: rounding
     EXPECT_GT(values[6], 1e-3 * values.maxCoeff());
   }
 }
@@ -83,12 +83,13 @@ TEST(ElasticElement, EnergyOfHomogeneousStrain)
     edges << x.col(1) - x.col(0), x.col(2) - x.col(0), x.col(3) - x.col(0);
     const double volume = edges.determinant() / 6.0;
     EXPECT_TRUE(
-      agrees(0.5 * u.dot(k * u), volume * stretch.energyDensity(Material), 1e-13)); // rounding
+      // 1e-13: rounding
+      agrees(0.5 * u.dot(k * u), volume * stretch.energyDensity(Material), 1e-13));
   }
 }
 
-// The patch test: eight elements around a displaced node. If the boundary moves linearly, the inner
-// node has no force when it moves with it, and the energy is exact.
+// The patch test: eight elements around a displaced node. If all nodes move linearly, the inner
+// node has no force, and the energy is exact.
 TEST(ElasticElement, PatchTest)
 {
   const Stretch stretch;
@@ -112,7 +113,7 @@ TEST(ElasticElement, PatchTest)
     const Eigen::Matrix3Xd moved = stretch.gradient * mesh.nodes;
     const Eigen::Map<const Eigen::VectorXd> u(moved.data(), moved.size());
     const Eigen::VectorXd force = stiffness.lower.selfadjointView<Eigen::Lower>() * u;
-    EXPECT_LT(force.segment<3>(39).norm(), 1e-12 * force.norm()); // rounding
+    EXPECT_LT(force.segment<3>(39).norm(), 1e-12 * force.norm()); // 1e-12: rounding
     EXPECT_TRUE(agrees(0.5 * u.dot(force), 8.0 * stretch.energyDensity(Material), 1e-12));
   }
 }
@@ -133,8 +134,8 @@ TEST(ElasticElement, InvertedOnesAreRefused)
   }
 }
 
-// A slender bar of cubes bends like a beam. Without the incompatible modes it would be half as
-// stiff again (shear locking).
+// A slender bar of cubes bends as a beam. Without the incompatible modes it would be half as stiff
+// again (shear locking).
 TEST(ElasticElement, HexahedraBend)
 {
   const int length = 16;
@@ -148,6 +149,6 @@ TEST(ElasticElement, HexahedraBend)
   const double moved = body.displacement(forces)(0, mesh.nodes.cols() - 1);
   // L³/(3EI) + 6L/(5GA), Timoshenko; I = 1/12, G = 1/2.
   const double beam = 4.0 * length * length * length + 2.4 * length;
-  EXPECT_TRUE(agrees(moved, beam, 0.01)); // for a beam of 16 cubes, one thick
+  EXPECT_TRUE(agrees(moved, beam, 0.01)); // error for a beam of 16 cubes, one cube thick
 }
 } // namespace elastic_element

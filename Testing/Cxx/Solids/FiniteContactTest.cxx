@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contact at finite strain on tetrahedra: the element by its derivatives, a layer against the
-// axisymmetric solver's tables, a part of a bar that bends against the whole bar.
+// Contact at finite strain on tetrahedra: derivatives of the element, a layer against the
+// axisymmetric solver's tables, and a part of a bending bar against the whole bar.
 #include "Solids/TrueShape/FiniteTetrahedron.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -32,8 +32,8 @@ void solve(VolumeMesh mesh, std::vector<unsigned char> fixed, ElasticBody& body)
   ASSERT_EQ(body.factorise(), "");
 }
 
-/// At rest it is the linear element. Elsewhere forces are the derivatives of the energy, and the
-/// stiffness is the derivative of the forces.
+/// At rest the element is the linear one. In other states the forces are the derivatives of the
+/// energy, and the stiffness is the derivative of the forces.
 TEST(FiniteTetrahedron, ForcesAndStiffnessAreDerivatives)
 {
   const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(1, 1, 1, 2.0)));
@@ -72,12 +72,12 @@ TEST(FiniteTetrahedron, ForcesAndStiffnessAreDerivatives)
       (slope - stiffness.col(i)).cwiseAbs().maxCoeff(), 1e-7 * stiffness.cwiseAbs().maxCoeff());
   }
   u.setZero();
-  u[0] = 10.0; // one corner through the opposite face
+  u[0] = 10.0; // moves one corner through the opposite face
   EXPECT_EQ(element.energy(Soft, u), HUGE_VAL);
 }
 
-/// A quarter of a bonded layer: the exact law at small strain, times the factor of finite strain
-/// from the axisymmetric solver's tables.
+/// A quarter of a bonded layer, against the exact law at small strain times the factor of finite
+/// strain from the axisymmetric solver's tables.
 TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
 {
   constexpr double thickness = 3.0;
@@ -113,7 +113,7 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
     return 0.25 * exact.evaluate(deflection, modulus).force *
       strain->at(deflection, Soft.poissonRatio, thickness).factor;
   };
-  // Four to five facets over the contact radius: 1 %; the tables have 0.1 %.
+  // Four to five facets over the contact radius have an error of 1 %, the tables 0.1 %.
   for (const double deflection : { 0.4, 0.5, depth })
   {
     const IndentationPoint found = contact.evaluate(deflection);
@@ -122,7 +122,7 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
     EXPECT_NEAR(found.force / expected(deflection), 1.0, 0.01) << deflection;
     EXPECT_NEAR(found.stiffness / slope, 1.0, 0.03) << deflection;
   }
-  // Between the solved depths it is smooth, and its stiffness is the slope.
+  // Between the solved depths the curve is smooth, and its stiffness is the slope.
   for (double deflection = 0.05; deflection < 0.57; deflection += 0.03)
   {
     const double slope =
@@ -133,8 +133,9 @@ TEST(FiniteContact, OnALayerIsThatOfTheAxisymmetricSolver)
   EXPECT_TRUE(std::isnan(contact.evaluate(1.5 * depth).force));
 }
 
-/// A groove too narrow for the ball: the ball touches the walls nearly four depths before it
-/// reaches the place. Pressed from the first touch on, it is the same contact at the same height.
+/// A groove that is too narrow for the ball: the ball touches the walls nearly four depths before
+/// it would reach the place. Pressed from this first touch, the contact is the same at the same
+/// height.
 TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
 {
   constexpr double height = 4.0;
@@ -152,7 +153,8 @@ TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
   mesh = quadratic(tetrahedra(mesh));
   ElasticBody body;
   solve(mesh, heldBelow(mesh), body);
-  const auto sphere = tool("sphere:2"); // first touch 1.12 mm before: 2 (sec(atan 1.2) - 1)
+  // first touch 1.12 mm above the place: 2 (sec(atan 1.2) - 1)
+  const auto sphere = tool("sphere:2");
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
   const DirectPlace bottom{ { 0.0, 2.0, height }, down };
   const ContactCurve contact = pressAtFiniteStrain(body, *sphere, bottom, depth);
@@ -165,15 +167,15 @@ TEST(FiniteContact, InAGrooveItBeginsWhereItFirstTouches)
     const double expected = above.evaluate(deflection + higher).force;
     EXPECT_NEAR(contact.evaluate(deflection).force, expected, 0.01 * expected) << deflection;
   }
-  // Too far for a contact of a hundredth of the depth.
+  // The first touch is too far above the place for a depth of a hundredth.
   EXPECT_EQ(pressAtFiniteStrain(body, *sphere, bottom, 0.01 * depth).deepest(), 0.0);
-  // Pieces of facets are half a millimetre long.
+  // Tolerance: parts of facets are half a millimetre long.
   EXPECT_NEAR(DirectContact(body, *sphere, bottom, depth).touchesBefore(),
     2.0 * (std::sqrt(1.0 + slope * slope) - 1.0), 0.02);
 }
 
-/// A column under 1.9 times its buckling load (Euler). Its tangent is indefinite. With twice the
-/// stiffness at rest added it is positive, so that a step reduces the energy.
+/// A column under 1.9 times its buckling load (Euler). Its tangent stiffness is indefinite. Twice
+/// the stiffness at rest makes the sum positive definite, so that a step reduces the energy.
 TEST(FinitePart, StiffenedAsAtRestItsTangentIsPositive)
 {
   const VolumeMesh mesh = quadratic(tetrahedra(hexahedronBlock(1, 1, 10, 1.0)));
@@ -184,7 +186,7 @@ TEST(FinitePart, StiffenedAsAtRestItsTangentIsPositive)
   const DirectPlace top{ { 0.5, 0.5, 10.0 }, -Eigen::Vector3d::UnitZ() };
   FinitePart part(body, *sphere, outline, top, 0.5, nullptr);
   Eigen::VectorXd pressed = Eigen::VectorXd::Zero(part.unknowns());
-  constexpr double strain = 0.004; // pi² / (4 · 12 · 10²) = 0.0021 is the buckling strain
+  constexpr double strain = 0.004; // π² / (4 · 12 · 10²) = 0.0021 is the buckling strain
   for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -217,8 +219,8 @@ TEST(FinitePart, StiffenedAsAtRestItsTangentIsPositive)
   EXPECT_LT(part.energy(pressed + 0.1 * step, untouched), part.energy(pressed, untouched));
 }
 
-/// If the surroundings of a part do not move, the part is as if held there, even if coarse cells
-/// give a small negative motion.
+/// If the surroundings of a part do not move, the part is solved as if held there, even if coarse
+/// cells give a small negative compliance.
 TEST(FiniteContact, ARestThatDoesNotMoveIsHeld)
 {
   constexpr double depth = 0.2;
@@ -236,7 +238,8 @@ TEST(FiniteContact, ARestThatDoesNotMoveIsHeld)
     moved.setZero(3, mesh.nodes.cols());
   }
   EXPECT_EQ(pressAtFiniteStrain(body, *sphere, on, depth, &still).evaluate(depth).force, expected);
-  // Rotated against a moment about x, by less than a thousandth of the rotation of the contact.
+  // The surroundings rotate against a moment about x, by less than a thousandth of the rotation of
+  // the contact.
   for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i)
   {
     const Eigen::Vector3d arm = mesh.nodes.col(i) - on.place;
@@ -245,8 +248,8 @@ TEST(FiniteContact, ARestThatDoesNotMoveIsHeld)
   EXPECT_EQ(pressAtFiniteStrain(body, *sphere, on, depth, &still).evaluate(depth).force, expected);
 }
 
-/// Depth at which a ball reaches facets of marked nodes: where its outline meets the nearest of
-/// them.
+/// Depth at which a ball reaches facets of marked nodes: the outline of the ball meets the nearest
+/// facet.
 TEST(ToolFacets, AreMetWhereTheOutlineMeetsThem)
 {
   const VolumeMesh mesh = hexahedronBlock(4, 4, 2, 1.0);
@@ -285,8 +288,8 @@ TEST(FiniteContact, WhereNothingTouchesThereIsNone)
   EXPECT_FALSE(isForFiniteStrain(*tool("flat:1.6")));
 }
 
-/// A bar held at one end and pressed near the other, and its outer part with the motion of the cut
-/// at small strain. Nearly all of the deflection is bending.
+/// A bar that is held at one end and pressed near the other, against its outer part with the
+/// small-strain motion of the cut. Nearly all of the deflection is bending.
 TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
 {
   constexpr double depth = 0.7;
@@ -300,7 +303,7 @@ TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
   ElasticBody part;
   solve(cut, heldTo(cut, 4.0), part);
   const auto sphere = tool("sphere:6.35");
-  // Tilted: the sideways force bends the bar sideways.
+  // The tool is tilted, so the sideways force also bends the bar sideways.
   const DirectPlace place{ { 9.0, 1.5, 3.0 }, Eigen::Vector3d(0.1, 0.2, -1.0).normalized() };
   const Eigen::Vector3d inside = place.place + 0.3 * place.inward;
   UnitMotion ofCut =
@@ -317,7 +320,7 @@ TEST(FiniteContact, APartGivesWayAsItDoesInTheWhole)
   {
     const IndentationPoint expected = inWhole.evaluate(deflection);
     const IndentationPoint found = inPart.evaluate(deflection);
-    const double stated = inPart.errorsAt(deflection).strain; // 2.5 θ²
+    const double stated = inPart.errorsAt(deflection).strain; // error of 2.5 θ²
     EXPECT_LE(std::abs(found.force / expected.force - 1.0), 0.002 + stated);
     EXPECT_LT(stated, 0.03);
     EXPECT_GT(held.evaluate(deflection).force, 4.0 * expected.force);

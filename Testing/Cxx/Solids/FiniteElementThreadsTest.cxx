@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-// Functions of OpenBLAS, if it is the BLAS; otherwise null.
+// Functions of OpenBLAS; null if another BLAS is linked.
 extern "C"
 {
   __attribute__((weak)) int openblas_get_num_threads();
@@ -23,7 +23,7 @@ namespace
 using namespace palpate;
 
 #ifdef PALPATE_SANITIZED
-constexpr int Side = 4; // of the block, mm
+constexpr int Side = 4; // side of the block, mm
 #else
 constexpr int Side = 8;
 #endif
@@ -33,7 +33,7 @@ bool always(double)
   return true;
 }
 
-/// Sets the threads of OpenBLAS and restores them.
+/// Sets the number of threads of OpenBLAS and restores it in the destructor.
 class BlasThreads
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The gap of a triangulated body against that of the smooth body from which its points were taken:
-// random ellipsoids with bumps. Their triangles are between three times and half as long as the
-// contact is wide.
+// random ellipsoids with bumps. The sides of their triangles are between half and three times the
+// width of the contact.
 #include "Solids/Curves/GapOfSurface.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -40,7 +40,7 @@ Ball makeBall(int divisions, std::mt19937& random)
       ball.points.push_back(Vector3(b, 0.0, a).normalized());
     }
   }
-  // The faces of an icosahedron are its triples of neighbours.
+  // Each face of an icosahedron is a triple of neighbouring points.
   const double side = 2.0 / std::sqrt(1.0 + t * t);
   const auto isSide = [&](std::int32_t i, std::int32_t j)
   {
@@ -101,10 +101,10 @@ Ball makeBall(int divisions, std::mt19937& random)
   return ball;
 }
 
-using Implicit = std::function<double(const Vector3&)>; // > 0 outside
+using Implicit = std::function<double(const Vector3&)>; // > 0 outside the body
 
-/// `highest`: height of the bumps over the radius of the body; `largest`: largest number of waves
-/// per radius.
+/// An ellipsoid with bumps. `highest`: height of the bumps / radius of the body; `largest`: largest
+/// number of waves per radius.
 Implicit bumpyEllipsoid(double highest, double largest, std::mt19937& random)
 {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -122,7 +122,8 @@ Implicit bumpyEllipsoid(double highest, double largest, std::mt19937& random)
   };
 }
 
-/// Distance along from + t direction at which the body ends. The first point is outside.
+/// Distance t at which the line from + t direction enters the body. The point at `first` is
+/// outside.
 double crossing(
   const Implicit& body, const Vector3& from, const Vector3& direction, double first, double last)
 {
@@ -141,16 +142,16 @@ double crossing(
   return 0.5 * (low + high);
 }
 
-/// The mean that enters a force: of (r/a)^2m under the pressure of a flat punch.
+/// The mean of (r/a)^2m under the pressure of a flat punch, which changes the force.
 double feltMean(const GapTerms& gap)
 {
   return gap.drop[0] + 2.0 / 3.0 * gap.drop[1] + 8.0 / 15.0 * gap.drop[2];
 }
 
-constexpr double LeftOfFacets = 1.0 / 3.0; // as in ShapedContact
+constexpr double LeftOfFacets = 1.0 / 3.0; // the same fraction as in ShapedContact
 
-/// Number of gaps compared with those of the bodies, number with a difference above the stated
-/// error, and the median of the differences over the gap.
+/// Number of gaps compared with those of the smooth bodies, number of differences above the stated
+/// error, and the median of difference / gap.
 struct Compared
 {
   int all = 0;
@@ -233,7 +234,7 @@ Compared compareGaps(double highest, double largest)
 }
 } // namespace
 
-// Bumps at least as long as some triangles: the points describe them.
+// The points resolve the bumps, which are at least as long as some triangles.
 TEST(GapOfSurface, IsThatOfTheSmoothBody)
 {
   const Compared compared = compareGaps(0.06, 6.0);
@@ -242,7 +243,7 @@ TEST(GapOfSurface, IsThatOfTheSmoothBody)
   EXPECT_LT(compared.median, 0.05);
 }
 
-// Bumps shorter than the distances of the points.
+// The bumps are shorter than the distances of the points.
 TEST(GapOfSurface, SaysWhatThePointsLeaveOpen)
 {
   const Compared compared = compareGaps(0.08, 12.0);
@@ -250,7 +251,7 @@ TEST(GapOfSurface, SaysWhatThePointsLeaveOpen)
   EXPECT_LE(compared.beyond, 0.05 * compared.all);
 }
 
-// Beyond the rim of a can no surface faces the same way.
+// Beyond the rim of a can no surface has the same orientation.
 TEST(GapOfSurface, EndsAtAnEdge)
 {
   std::vector<double> points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The modes of bodies that bend, against full solutions at points that are not landmarks, C_g and
-// beam theory; the subtracted dent; bodies with few or no points to press, of several parts, held
-// along one whole side. Plate and filter: TestElasticComplianceModes.
+// The modes of bodies that bend, against full solutions at points that are not landmarks, against
+// C_g and beam theory. Also the subtracted dent, and bodies with few or no points to press, of
+// several parts, or held along one whole side. TestElasticComplianceModes tests plate and filter.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/GlobalModes.h"
@@ -21,7 +21,7 @@ using palpate::Pi;
 using palpate::testing::agrees;
 
 constexpr double Poisson = 0.3;
-constexpr int Length = 40; // of the bar, mm
+constexpr int Length = 40; // length of the bar, mm
 constexpr int Side = 4;
 
 bool always(double)
@@ -68,8 +68,8 @@ struct Solved
   }
 };
 
-/// Motion of the surface under 1 N pressed in at `point`: the sum over the modes as a user computes
-/// it.
+/// Motion of the surface under 1 N pressed in at `point`: the sum over the modes, computed as a
+/// user of the modes would.
 Eigen::Matrix3Xd motion(const Solved& solved, const GlobalModes& modes, std::int32_t point)
 {
   Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, solved.surface().pointTotal());
@@ -103,7 +103,8 @@ ElasticBodyInput heldBlock(int nx, int ny, int nz, double modulus = 1.0)
   return input;
 }
 
-/// Two bodies in one input; the second is moved up, so that its faces have the same orientation.
+/// Two bodies in one input; the second is moved by `offset`, so that its faces have the same
+/// orientation.
 ElasticBodyInput both(ElasticBodyInput a, ElasticBodyInput b, const Eigen::Vector3d& offset)
 {
   const std::int32_t first = a.mesh.nodeTotal();
@@ -122,7 +123,7 @@ ElasticBodyInput both(ElasticBodyInput a, ElasticBodyInput b, const Eigen::Vecto
   return a;
 }
 
-/// Largest difference of two motions, relative to the largest of the second.
+/// Largest difference of two motions, relative to the largest motion of the second.
 double difference(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
 {
   return (a - b).colwise().norm().maxCoeff() / b.colwise().norm().maxCoeff();
@@ -138,8 +139,8 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
   const Eigen::Matrix3Xd regular = beam.regular(point);
   const Eigen::Matrix3Xd whole = beam.body.displacement(
     (4.0 * patchForces(beam.body, point, 0.75) - patchForces(beam.body, point, 1.5)) / 3.0);
-  // At the point itself: -C_g, which comes from the energy of the patches, not from motions. Both
-  // are accurate to the fourth order of the patch's radius, 0.75 of a side of 4.
+  // At the point itself the motion is -C_g, which is computed from the energy of the patches, not
+  // from motions. Both are accurate to the fourth order of patch radius / side, which is 0.75/4.
   EXPECT_TRUE(agrees(-regular(2, point), beam.compliance(point), 1e-3));
   const double reduced = 1.0 / (1.0 - Poisson * Poisson);
   const double rounding = 1e-9 * whole.cwiseAbs().maxCoeff();
@@ -153,7 +154,7 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
     }
     else if (surface.normal(i)[2] == 1.0 && away.norm() > 3.0 && away.norm() < 5.0)
     {
-      // Error of the elements, some of which are two elements from the force.
+      // Error of the elements, some of which are two elements away from the force.
       EXPECT_NEAR(-taken[2] * Pi * reduced * away.norm(), 1.0, 0.05) << i;
     }
     else if (surface.normal(i)[2] == 1.0 && away.norm() > 7.0) // beyond the cut of 5.5
@@ -161,13 +162,14 @@ TEST(RegularField, IsTheWholeMotionWithoutTheDent)
       EXPECT_NEAR(-taken[2], 1.0 / (Pi * reduced * away.norm()), rounding) << i;
       EXPECT_NEAR(taken.head<2>().norm(),
         (1.0 - 2.0 * Poisson) / (2.0 * Pi * away.norm()) * (1.0 + Poisson), rounding)
-        << i; // Johnson 1985, eq. 3.18: towards the force
+        << i; // Johnson 1985, eq. 3.18: the motion is towards the force
       EXPECT_LT(taken.dot(away), 0.0) << i;
     }
   }
 }
 
-// Far from the support a bar moves as by Timoshenko: the part beyond the force rotates rigidly.
+// Far from the support the bar moves as a Timoshenko beam. The part beyond the force rotates as a
+// rigid body.
 TEST(RegularField, BendsAsBeamTheoryHasIt)
 {
   const Solved beam(bar());
@@ -179,7 +181,8 @@ TEST(RegularField, BendsAsBeamTheoryHasIt)
     const double below = -regular(2, beam.at(x, 2, 0));
     const double end = -regular(2, beam.at(Length, 2, 0));
     const double bending = x * x * x / (3.0 * inertia);
-    // The held end cannot contract sideways, as if the bar were shorter by a tenth of its side.
+    // The held end cannot contract sideways, which has the same effect as a bar that is shorter by
+    // a tenth of its side.
     EXPECT_NEAR(below / (bending + x / shear), 1.0, 0.02) << x;
     const double turned = x * x / (2.0 * inertia) * (Length - x);
     EXPECT_NEAR((end - below) / turned, 1.0, 0.02) << x;
@@ -190,8 +193,8 @@ TEST(RegularField, BendsAsBeamTheoryHasIt)
  * Six modes of a bar are three for each direction of bending. By Euler's series, G = L³/EI Σ φ_k(ξ)
  * φ_k(η)/λ_k⁴ with |φ_k| <= 2 and λ = 1.875, 4.694, 7.855, 10.996, 14.137..., the modes from the
  * fourth on move no point by more than 4.7e-4 L³/EI: 0.5 % of the largest motion, ξ²(3-ξ)/6 L³/EI,
- * under a force at ξ = 1/2, and 2 % at ξ = 1/4. Shear, torsion and local deformation of a
- * cross-section add to that, and the third mode is not exactly Euler's: twice as much is allowed.
+ * under a force at ξ = 1/2, and 2 % at ξ = 1/4. Twice this error is allowed, because shear, torsion
+ * and local deformation of a cross-section add to it, and the third mode is not exactly Euler's.
  */
 TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
 {
@@ -199,7 +202,7 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
   const GlobalModes modes = beam.modes(6);
   ASSERT_EQ(modes.fields.size(), 6U);
   EXPECT_EQ(modes.landmarks.size(), 48U);
-  EXPECT_LT(modes.asymmetry, 1e-3); // by Betti
+  EXPECT_LT(modes.asymmetry, 1e-3); // by Betti's theorem the asymmetry is zero
   int compared = 0;
   double worst = 0.0;
   for (int x = Length / 4; x < Length; ++x)
@@ -220,7 +223,7 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
     {
       const Eigen::Vector3d exact = whole.col(surface.node(i));
       largest = std::max(largest, exact.norm());
-      if (surface.normal(i)[2] < 0.4) // no dent there
+      if (surface.normal(i)[2] < 0.4) // the dent does not reach this side
       {
         error = std::max(error, (found.col(i) - exact).norm());
       }
@@ -232,12 +235,12 @@ TEST(GlobalModes, MoveABarAsTheFullSolutionDoes)
   }
   EXPECT_GT(compared, 10);
   RecordProperty("worst", std::to_string(worst));
-  EXPECT_LT(modes.neglected, 0.01); // relative to C_g, which is largest at the soft end
-  EXPECT_EQ(modes.signs, std::vector<int>(6, 1)); // positive compliance at every place
+  EXPECT_LT(modes.neglected, 0.01); // relative to the largest C_g, that of the free end
+  EXPECT_EQ(modes.signs, std::vector<int>(6, 1)); // the compliance is positive at every place
 }
 
-// An edge has no landmarks, since patches would wrap around it; the modes are valid there all the
-// same.
+// An edge has no landmarks, because patches would wrap around it. The modes are nevertheless valid
+// there.
 TEST(GlobalModes, HoldWhereNoPatchIsValid)
 {
   const Solved beam(bar());
@@ -251,9 +254,10 @@ TEST(GlobalModes, HoldWhereNoPatchIsValid)
   const double largest = whole.colwise().norm().maxCoeff();
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
-    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side) // by Saint-Venant
+    // Saint-Venant's principle
+    if ((surface.position(i) - surface.position(point)).norm() > 2 * Side)
     {
-      // As under any force beyond half of the length, see above.
+      // Same tolerance as in MoveABarAsTheFullSolutionDoes beyond half of the length.
       EXPECT_LT((found.col(i) - whole.col(surface.node(i))).norm(), 0.01 * largest) << i;
     }
   }
@@ -272,7 +276,7 @@ TEST(GlobalModes, MoreModesNeglectLess)
   }
 }
 
-// One landmark: one mode is exactly its field, and the others are zero.
+// With one landmark, one mode is exactly its field, and the other modes are zero.
 TEST(GlobalModes, MoreModesThanLandmarks)
 {
   const Solved block(heldBlock(4, 4, 4));
@@ -280,7 +284,7 @@ TEST(GlobalModes, MoreModesThanLandmarks)
   const GlobalModes modes = block.modes(6);
   ASSERT_EQ(modes.landmarks, std::vector<std::int32_t>{ top });
   ASSERT_EQ(modes.fields.size(), 6U);
-  EXPECT_LT(difference(motion(block, modes, top), block.regular(top)), 1e-12); // rounding
+  EXPECT_LT(difference(motion(block, modes, top), block.regular(top)), 1e-12); // 1e-12: rounding
   for (std::size_t k = 1; k < 6; ++k)
   {
     EXPECT_TRUE(modes.fields[k].isZero(0.0));
@@ -299,7 +303,8 @@ TEST(GlobalModes, ABodyWithoutAValidPatchHasNone)
   EXPECT_EQ(modes.neglected, 0.0);
 }
 
-// On a bonded block the support makes it stiffer: C_g < 0, and so is the sign of its modes.
+// On a bonded block the support stiffens the surface: C_g < 0, and the signs of the modes are
+// negative.
 TEST(GlobalModes, ABondedBlockHasNegativeOnes)
 {
   const Solved block(heldBlock(12, 12, 4));
@@ -309,7 +314,8 @@ TEST(GlobalModes, ABondedBlockHasNegativeOnes)
   EXPECT_EQ(std::count(modes.signs.begin(), modes.signs.end(), -1), 6);
   const double found = -motion(block, modes, top)(2, top);
   EXPECT_LT(
-    found, 0.5 * block.compliance(top)); // the largest part, although such a body needs many modes
+    // the modes contain the largest part of C_g, although such a body needs many modes
+    found, 0.5 * block.compliance(top));
   EXPECT_GT(found, 1.1 * block.compliance(top));
 }
 
@@ -341,7 +347,7 @@ TEST(GlobalModes, ScaleAsOneOverTheRootOfTheModulus)
   const std::int32_t top = soft.at(3, 3, 3);
   const Eigen::Matrix3Xd a = motion(soft, soft.modes(3), top);
   const Eigen::Matrix3Xd b = motion(stiff, stiff.modes(3), top);
-  EXPECT_LT(difference(4.0 * b, a), 1e-9); // rounding times the condition
+  EXPECT_LT(difference(4.0 * b, a), 1e-9); // rounding times the condition number
 }
 
 TEST(GlobalModes, StopWhenToldTo)

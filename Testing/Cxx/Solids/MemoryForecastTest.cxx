@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forecast of the memory of finite elements: from counts of nodes, against the symbolic analysis,
-// and that analysis against the memory of the factorisation.
+// Forecast of the memory of finite elements: the estimate from counts of nodes against the symbolic
+// analysis, and the symbolic analysis against the memory of the factorisation.
 #include "Mechanics/Numerics/AvailableMemory.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/MemoryForecast.h"
@@ -38,7 +38,8 @@ TEST(MemoryForecast, IsThatOfTheSymbolicAnalysisWithinItsError)
   {
     GTEST_SKIP() << "built without CHOLMOD";
   }
-  // Cubes, plates, bars: a factor of 40 in the number of nodes, of 8 in thickness.
+  // Cubes, plates and bars, which differ by a factor of 40 in the number of nodes and of 8 in
+  // thickness.
   const std::array<std::array<int, 3>, 6> sizes = { { { 10, 10, 10 }, { 16, 16, 16 },
     { 24, 24, 24 }, { 60, 60, 4 }, { 40, 40, 8 }, { 6, 6, 200 } } };
   for (const auto& [nx, ny, nz] : sizes)
@@ -65,7 +66,7 @@ TEST(MemoryForecast, TheEstimateIsWhatTheFactorisationTakes)
   resetPeakMemory();
   const double before = peakMemory();
   ASSERT_EQ(body.factorise(), "");
-  // 110 MB, plus blocks packed by BLAS and memory kept by malloc.
+  // 110 MB, plus blocks packed by BLAS and memory that malloc keeps.
   EXPECT_NEAR((peakMemory() - before) / body.memoryEstimate(), 1.0, 0.2);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of the finer mesh, estimated from two meshes, must be valid: against elements of half
-// the size, at random points, tools and depths.
+// The error of the finer of two meshes, estimated from both, must bound the true error: against
+// elements of half the size, at random points, tools and depths.
 #include "ShapedBodies.h"
 
 #include "Solids/TrueShape/MeshDifference.h"
@@ -17,8 +17,8 @@ using palpate::testing::heldAtTheEnds;
 using palpate::testing::statedOfElements;
 using palpate::testing::tool;
 
-constexpr double Radius = 1.8; // mm, of the widest contact
-/// A body whose elements are 1/finer of the coarsest, which are 2 mm.
+constexpr double Radius = 1.8; // radius of the widest contact, mm
+/// Makes a body with elements of 2 mm / finer.
 using BodyOf = ElasticBodyInput (*)(int finer);
 
 /// A body solved for contacts at some places of its surface, or everywhere.
@@ -54,7 +54,7 @@ struct Solved
   }
 };
 
-/// Random points of the surface that can be pressed.
+/// Random points of the surface at which a tool can press.
 std::vector<Eigen::Vector3d> drawn(const ElasticBody& body, std::size_t count)
 {
   std::mt19937 random(11);
@@ -71,8 +71,8 @@ std::vector<Eigen::Vector3d> drawn(const ElasticBody& body, std::size_t count)
   return places;
 }
 
-/// Number of compared forces, number whose difference from finer elements exceeds the stated error,
-/// and the mean stated error of the elements, with the two meshes and without.
+/// Number of compared forces, number of differences from finer elements above the stated error, and
+/// the mean stated error of the elements, with and without the second mesh.
 struct Compared
 {
   int all = 0;
@@ -87,7 +87,7 @@ Compared compare(BodyOf bodyOf)
   const Solved coarse(bodyOf(1));
   const Solved fine(bodyOf(2));
   const std::vector<Eigen::Vector3d> places = drawn(fine.body, 12);
-  // With the same number of sources, so that only the elements differ.
+  // The number of sources is the same, so that only the elements differ.
   const Solved truth(bodyOf(4), places, fine.body.surface().spacing(0));
   const MeshDifference meshes(LandmarkKernels(*fine.green), LandmarkKernels(*coarse.green));
   std::mt19937 random(3);
@@ -115,7 +115,8 @@ Compared compare(BodyOf bodyOf)
       const ContactSample errors = here.errorsAt(depth);
       const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
-      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // second order
+      // the error is of second order
+      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0);
       ++compared.all;
       compared.beyond += error > stated ? 1 : 0;
       compared.error += error;
@@ -130,7 +131,8 @@ Compared compare(BodyOf bodyOf)
   return compared;
 }
 
-/// Quadratic tetrahedra as long as the plate is thick, twice as long on the coarser mesh.
+/// A plate of quadratic tetrahedra whose side is the thickness, and twice the thickness on the
+/// coarser mesh.
 ElasticBodyInput thinPlate(int finer)
 {
   const int layers = std::max(1, finer / 2);
@@ -140,7 +142,7 @@ ElasticBodyInput thinPlate(int finer)
   return heldAtTheEnds(std::move(mesh), 10.0);
 }
 
-/// Two layers of them.
+/// A plate of two layers of tetrahedra.
 ElasticBodyInput plate(int finer)
 {
   return heldAtTheEnds(
@@ -156,7 +158,7 @@ ElasticBodyInput heldBlock(int finer)
   return { std::move(mesh), { { 0.1, 0.4 } }, fixed };
 }
 
-/// A cap of a ball of 8 mm on a block, with its nodes on the ball itself, held below.
+/// A cap of a ball of 8 mm on a block, held at the bottom. Its nodes are on the ball itself.
 ElasticBodyInput heldCap(int finer)
 {
   constexpr double radius = 8.0;
@@ -174,7 +176,8 @@ ElasticBodyInput heldCap(int finer)
 }
 } // namespace
 
-// Valid in 95 of 100 cases, and smaller than the expected error of the elements alone.
+// The error is a bound in 95 of 100 cases and smaller than the expected error of the elements from
+// one mesh.
 TEST(MeshDifference, BoundsWhatFinerElementsChange)
 {
   Compared all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The self-term of a patch and the structural compliance, on meshes small enough for the
-// sanitizers. Accuracy on real meshes: TestElasticComplianceLayer and TestElasticCompliancePlate.
+// The compliance of a patch under its own load and the structural compliance, on meshes that are
+// small enough for the sanitizers. Accuracy on real meshes: TestElasticComplianceLayer and
+// TestElasticCompliancePlate.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/PatchCompliance.h"
@@ -28,7 +29,7 @@ std::array<PatchLoad, 2> twoLoads(const ElasticBody& body, std::int32_t point, d
     makePatchLoad(body.mesh(), body.surface(), point, 2.0 * radius) };
 }
 
-/// A block on a fixed base, with the solver that is fast for small ones.
+/// Makes a block on a fixed base, with the solver that is fast for small blocks.
 void makeBlock(ElasticBody& body, VolumeMesh mesh, const std::vector<ElasticMaterial>& materials)
 {
   const std::vector<unsigned char> fixed = palpate::testing::heldBelow(mesh);
@@ -62,8 +63,8 @@ TEST(PatchSelfTerm, TendsToTheDiscOnAHalfSpace)
   {
     const double radius = k == 0 ? 0.75 : 1.5;
     const double exact = 16.0 / (3.0 * Pi * Pi * radius) * (1.0 - 0.3 * 0.3);
-    // Elements of the size of the patch: 19 % and 6 % were measured. The values must be too small,
-    // and closer with a larger patch.
+    // The elements have the size of the patch; measured errors are 19 % and 6 %. The values must be
+    // too small, and the error must be smaller for the larger patch.
     EXPECT_LT(found[k], exact);
     EXPECT_GT(found[k], (k == 0 ? 0.75 : 0.9) * exact);
   }
@@ -87,7 +88,8 @@ TEST(PatchSelfTerm, EqualCutOutsAreFoundToBeEqual)
   EXPECT_NEAR(patchSelfTerms(here)[1][0], patchSelfTerms(cut(5, 3, 3, 0.3))[1][0], 1e-13);
 }
 
-// Two identical halves of a problem must give identical numbers, for any axis.
+// The points of two mirrored halves of a body must have the same compliance, for each axis of
+// symmetry.
 TEST(PatchCompliance, FollowsTheSymmetryOfTheBody)
 {
   ElasticBody body;
@@ -100,9 +102,9 @@ TEST(PatchCompliance, FollowsTheSymmetryOfTheBody)
     EXPECT_EQ(found.status[static_cast<std::size_t>(point)], PatchStatus::Valid) << x << " " << y;
     return found.compliance[static_cast<std::size_t>(point)];
   };
-  EXPECT_TRUE(agrees(at(2, 3), at(4, 3), 1e-9)); // rounding times the condition
+  EXPECT_TRUE(agrees(at(2, 3), at(4, 3), 1e-9)); // rounding error times the condition number
   EXPECT_TRUE(agrees(at(2, 3), at(3, 2), 1e-9));
-  EXPECT_GT(at(2, 3), at(3, 3)); // softer towards a free side
+  EXPECT_GT(at(2, 3), at(3, 3)); // the body is softer near a free side
 }
 
 TEST(PatchCompliance, StatusOfEdgesAndSupports)
@@ -117,10 +119,12 @@ TEST(PatchCompliance, StatusOfEdgesAndSupports)
   };
   EXPECT_EQ(statusAt(2, 2, 6), PatchStatus::Valid);
   EXPECT_EQ(statusAt(0, 2, 6), PatchStatus::Edge);
-  EXPECT_EQ(statusAt(1, 2, 6), PatchStatus::Edge); // the larger patch, 1.5, wraps around it
+  // the larger patch, of radius 1.5, wraps around the edge
+  EXPECT_EQ(statusAt(1, 2, 6), PatchStatus::Edge);
   EXPECT_EQ(statusAt(2, 2, 0), PatchStatus::OutOfReach);
   EXPECT_EQ(statusAt(0, 2, 3), PatchStatus::Valid);
-  EXPECT_EQ(statusAt(0, 2, 2), PatchStatus::OutOfReach); // its ring reaches the lowest element
+  // the ring of the patch reaches the lowest element
+  EXPECT_EQ(statusAt(0, 2, 2), PatchStatus::OutOfReach);
 
   spreadValidCompliances(body.surface(), found);
   double lowest = 1e9;
@@ -134,7 +138,8 @@ TEST(PatchCompliance, StatusOfEdgesAndSupports)
     }
   }
   const double rounding = 1e-14 * (highest - lowest);
-  for (const double value : found.compliance) // interpolated, never extrapolated
+  // values between patches are interpolated, never extrapolated
+  for (const double value : found.compliance)
   {
     EXPECT_GE(value, lowest - rounding);
     EXPECT_LE(value, highest + rounding);
@@ -160,7 +165,7 @@ TEST(PatchCompliance, TheHalfSpaceIsThatOfTheMaterialAtThePoint)
   const VolumeMesh mesh = palpate::testing::hexahedronBlock(6, 6, 6, 1.0);
   std::vector<ElasticMaterial> soft(mesh.elements.size(), { 1.0, 0.3 });
   std::vector<ElasticMaterial> base = soft;
-  for (std::size_t e = 0; e < 3 * 36; ++e) // the lower three of six layers
+  for (std::size_t e = 0; e < 3 * 36; ++e) // the elements of the lower three of six layers
   {
     base[e].youngsModulus = 100.0;
   }
@@ -173,11 +178,12 @@ TEST(PatchCompliance, TheHalfSpaceIsThatOfTheMaterialAtThePoint)
     return patchCompliances(body, { point }, 0.0, always)
       .compliance[static_cast<std::size_t>(point)];
   };
-  // On a base a hundred times as stiff: nearly the value of the layer alone on a rigid base.
+  // On a base that is a hundred times as stiff, the compliance is nearly that of the layer alone on
+  // a rigid base.
   const double rigid = centre({ { 1.0, 0.3 } }, palpate::testing::hexahedronBlock(6, 6, 3, 1.0));
   EXPECT_LT(centre(base, mesh), 0.0);
-  // The deflection of the base is 1 % of that of the upper layers and adds its own 1/(πE*h) for E =
-  // 100.
+  // The base deflects by 1 % of the deflection of the upper layers. The term 1/(πE*h) of the base,
+  // for E = 100, is added.
   EXPECT_TRUE(agrees(centre(base, mesh), rigid, 0.1));
   EXPECT_GT(centre(soft, mesh), centre(base, mesh));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A patch of pressure on the surface of a mesh, and the half-space it is compared with.
+// A patch of pressure on the surface of a mesh, and the half-space with which it is compared.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 #include "Solids/FiniteElements/HalfSpaceField.h"
@@ -40,11 +40,11 @@ TEST(DiscRule, MomentsOfAUniformDisc)
       {
         sum += rule.weights[i] * std::pow(rule.at[i][0], p) * std::pow(rule.at[i][1], q);
       }
-      // Mean of x^p y^q over the unit disc; only for even powers.
+      // The mean of x^p y^q over the unit disc is zero unless both powers are even.
       const double exact = p % 2 || q % 2 ? 0.0
                                           : 2.0 / (p + q + 2) * std::tgamma(0.5 * (p + 1)) *
           std::tgamma(0.5 * (q + 1)) / (Pi * std::tgamma(0.5 * (p + q + 2)));
-      EXPECT_NEAR(sum, exact, 1e-15) << p << " " << q; // rounding
+      EXPECT_NEAR(sum, exact, 1e-15) << p << " " << q; // 1e-15: rounding
     }
   }
 }
@@ -89,7 +89,7 @@ TEST(PatchLoad, DoesNotWrapAnEdge)
     return makePatchLoad(block.mesh, block.surface, point, radius).complete;
   };
   EXPECT_TRUE(complete(1.0, 3.0, 1.0));
-  EXPECT_FALSE(complete(1.0, 3.0, 1.2)); // the outermost ring is at 0.94 of the radius
+  EXPECT_FALSE(complete(1.0, 3.0, 1.2)); // the outermost ring of the rule is at 0.94 of the radius
   EXPECT_FALSE(complete(0.0, 3.0, 0.5)); // on the edge
   EXPECT_FALSE(complete(0.0, 0.0, 0.5)); // at a corner
 }
@@ -121,7 +121,7 @@ TEST(BodySurface, IsClosedAndFacesOut)
   }
 }
 
-// Boussinesq's field: its values at the surface, and equilibrium inside by central differences.
+// Boussinesq's field: displacements at the surface, and equilibrium inside by central differences.
 TEST(HalfSpaceField, SurfaceAndEquilibrium)
 {
   const double nu = 0.3;
@@ -130,7 +130,7 @@ TEST(HalfSpaceField, SurfaceAndEquilibrium)
   // Reference, section 1: u_r = -(1-2ν)/(2π(1-ν)E*) F/r.
   EXPECT_TRUE(agrees(above.head<2>().norm(),
     (1.0 - 2.0 * nu) * (1.0 - nu * nu) / (2.0 * Pi * (1.0 - nu) * 5.0), 1e-14));
-  EXPECT_LT(above[0], 0.0); // towards the force
+  EXPECT_LT(above[0], 0.0); // the motion is towards the force
 
   const Eigen::Vector3d at(0.7, -0.4, 0.9);
   const double h = 1e-3;
@@ -148,6 +148,6 @@ TEST(HalfSpaceField, SurfaceAndEquilibrium)
     {
       navier += (1.0 - 2.0 * nu) * second(j, j)[i] + second(i, j)[j];
     }
-    EXPECT_NEAR(navier, 0.0, 1e-5); // error of the differences, h² times fourth derivatives
+    EXPECT_NEAR(navier, 0.0, 1e-5); // error of the differences: h² times the fourth derivatives
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The singular field, the sources and the law on small bodies: equations that they must satisfy,
-// threads, abort, and error messages.
+// the number of threads, an abort, and error messages.
 #include "ShapedBodies.h"
 
 #include "Agreement.h"
@@ -45,7 +45,7 @@ std::vector<ElasticMaterial> twoMaterials(const VolumeMesh& mesh)
 }
 } // namespace
 
-// ε and σ by central differences of u: an error of 1e-8 from step² and the same from rounding.
+// ε and σ by central differences of u: step² gives an error of 1e-8, and rounding the same.
 TEST(BoussinesqField, StrainAndStressAreThoseOfTheDisplacement)
 {
   const ElasticMaterial material{ 3.0, 0.35 };
@@ -66,7 +66,7 @@ TEST(BoussinesqField, StrainAndStressAreThoseOfTheDisplacement)
     stress.diagonal().array() += 3.0 * 0.35 / (1.35 * 0.3) * strain.trace();
     EXPECT_LT((field.stress(at) - stress).norm(), 1e-6 * stress.norm());
   }
-  // The plane surface is free and sinks by 1/(πE*r).
+  // The plane surface is free of stress and sinks by 1/(πE*r).
   const Eigen::Vector3d on(0.6, 0.8, 0.0);
   EXPECT_LT(field.stress(on).col(2).norm(), 1e-16);
   EXPECT_TRUE(
@@ -94,7 +94,7 @@ TEST(ShapedContact, IsTheToolsOwnOnAHalfSpace)
   }
 }
 
-// A constant kernel is a compliance in series, for any tool and radius.
+// A constant kernel is a compliance in series, for any tool and contact radius.
 TEST(ShapedContact, AConstantKernelIsInSeries)
 {
   ContactKernel constant;
@@ -108,9 +108,9 @@ TEST(ShapedContact, AConstantKernelIsInSeries)
   EXPECT_TRUE(agrees(found.deflection, local + 0.07 * force, 1e-10));
 }
 
-// A contact tilted by s has a tangential force of s times its force: in addition to the normal
-// compliance, 2 s times the coupling of both directions and s² times the tangential compliance
-// count.
+// A contact tilted by s has a tangential force of s times its normal force. The compliance is then
+// the normal compliance, plus 2 s times the coupling of both directions, plus s² times the
+// tangential compliance.
 TEST(ShapedContact, SaysWhatLeaningAsideMayDo)
 {
   static constexpr double self = 0.07;
@@ -142,7 +142,7 @@ TEST(ShapedContact, SaysWhatLeaningAsideMayDo)
   EXPECT_NEAR(last.direction, stiffness * (2.0 * lean * 0.3 + lean * lean * 4.0), 1e-12);
 }
 
-// A power of δ is a straight line in the curve's own coordinates. Its stiffness is its derivative.
+// A power of δ is a straight line in the coordinates of the curve. The stiffness is the derivative.
 TEST(ContactCurve, KeepsAPowerAndItsDerivative)
 {
   std::vector<ContactSample> samples;
@@ -251,20 +251,20 @@ TEST(RegularGreen, SaysWhatIsWrong)
   EXPECT_EQ(fit.site().status, PatchStatus::Valid);
   EXPECT_EQ(fit.site().limitedBy, PatchStatus::Edge);
   EXPECT_NEAR(
-    fit.site().largestRadius, 2.0, 1e-9); // the edge and the other material are at this distance
+    fit.site().largestRadius, 2.0, 1e-9); // distance of the edge and of the other material
   EXPECT_TRUE(std::isnan(green.at(at(2, 4, 3), at(8, 8, 3))));
   EXPECT_EQ(fit.at(std::numeric_limits<double>::quiet_NaN()).order, 0);
   EXPECT_EQ(fit.at(0.0).order, 0);
-  EXPECT_GT(fit.at(100.0).order, 0); // all existing points
+  EXPECT_GT(fit.at(100.0).order, 0); // all points that exist
   const ContactKernelFit unknown(green, at(8, 8, 3));
   EXPECT_EQ(unknown.site().status, PatchStatus::Degenerate);
   const auto pressed = palpate::testing::tool("sphere:6.35");
   EXPECT_TRUE(ShapedContact(*pressed).curve(unknown).isEmpty());
 }
 
-// A mouth: the line on which the subtracted field is singular passes through the upper jaw. The
-// effect of the jaw is known without any subtraction, from nodal forces on both bodies: almost
-// zero.
+// A body shaped as a mouth: the line on which the subtracted field is singular passes through the
+// upper jaw. The effect of the jaw, computed without any subtraction from nodal forces on both
+// bodies, is almost zero.
 TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
 {
   const VolumeMesh whole = hexahedronBlock(12, 10, 11, 1.0);
@@ -309,13 +309,13 @@ TEST(RegularGreen, SeesPastABodyThatStandsOverItself)
   }
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
-    // H is -0.09 mm/N here; 1 % of it.
+    // H is -0.09 mm/N here; 1 % of H is allowed.
     EXPECT_NEAR(found[1][i] - found[0][i], direct[1][i] - direct[0][i], 0.0009) << i;
   }
 }
 
-// Diagonally through the facets of a block's top: the rim is nearer between their corners than at
-// them.
+// The held part of a block's top ends along diagonals of the squares. This rim is nearer at the
+// middle of the diagonals than at their corners.
 TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
 {
   constexpr int cells = 6;
@@ -333,11 +333,11 @@ TEST(SurfaceDisc, EndsAtTheEdgeOfWhatIsHeld)
     surfaceDisc(body, pointAt(body.surface(), Eigen::Vector3d(3.0, 2.0, 2.0)), 3.0);
   EXPECT_EQ(disc.status, PatchStatus::Valid);
   EXPECT_EQ(disc.limitedBy, PatchStatus::OutOfReach);
-  EXPECT_NEAR(disc.limit, std::sqrt(0.5), 1e-12); // the corners are 1 away
+  EXPECT_NEAR(disc.limit, std::sqrt(0.5), 1e-12); // the corners of the rim are at a distance of 1
 }
 
-// The distance is to the edges of the held part, not to its corners; only to those edges whose
-// faces have the orientation of the place.
+// The distance is measured to the edges of the held part, not to its corners, and only to edges of
+// faces that have the orientation of the place.
 TEST(HeldRim, IsWhereWhatIsHeldEnds)
 {
   ElasticBodyInput input;
@@ -354,13 +354,15 @@ TEST(HeldRim, IsWhereWhatIsHeldEnds)
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   EXPECT_NEAR(rim.distance({ 3.25, 2.6, 2.0 }, up), 1.25, 1e-12);
   EXPECT_NEAR(
-    rim.distance({ 5.0, 7.0, 2.0 }, up), std::sqrt(10.0), 1e-12); // past the end of the edge
-  // The base ends at the sides, which counts only for places on the sides.
+    // beyond the end of the edge the distance is that to its corner
+    rim.distance({ 5.0, 7.0, 2.0 }, up), std::sqrt(10.0), 1e-12);
+  // The held base ends at the sides, which counts only for places on the sides.
   EXPECT_NEAR(rim.distance({ 6.0, 3.0, 0.5 }, Eigen::Vector3d::UnitX()), 0.5, 1e-12);
   EXPECT_EQ(HeldRim().distance({ 0.0, 0.0, 0.0 }, up), Infinity);
 }
 
-// A contact needs only rows. The forecast is above the memory used, but not far above.
+// A contact needs only rows of the Green function. The forecast is larger than the memory used, but
+// not much larger.
 TEST(RegularGreen, ForecastsItsMemory)
 {
   ElasticBody body;
@@ -370,7 +372,7 @@ TEST(RegularGreen, ForecastsItsMemory)
   const ThreadLimit limit(1);
   const double block = 32.0 * body.unknowns() * 8.0;
   const double small = green.memoryForecast({ point }, 1.0);
-  EXPECT_GT(small, 2.0 * block); // loads and solutions
+  EXPECT_GT(small, 2.0 * block); // memory for loads and solutions
   EXPECT_LT(small, 6.0 * block);
   EXPECT_GT(green.memoryForecast({ point }, 4.0), small);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pole of a hemisphere that slips on its base, against the series for a ball loaded at both
-// poles (Data/Reference/shape/ball_regular.csv) and contacts on that ball (hemisphere.csv).
+// poles (Data/Reference/shape/ball_regular.csv) and against contacts on this ball (hemisphere.csv).
+// H is the regular part of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "Mechanics/GeneralTool.h"
@@ -16,7 +17,8 @@ using palpate::testing::ShapedBody;
 constexpr double BallRadius = 10.0;
 constexpr double CircleNumber = 3.14159265358979323846;
 
-/// Hexahedra of a cube [-1, 1]² × [0, 1], bent outwards more with their distance from the centre.
+/// Hexahedra of a cube [-1, 1]² × [0, 1], mapped to a hemisphere; the nodes move more, the farther
+/// they are from the centre.
 VolumeMesh hemisphere(int n)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(2 * n, 2 * n, n, 1.0 / n);
@@ -30,7 +32,7 @@ VolumeMesh hemisphere(int n)
   return mesh;
 }
 
-/// The base slips; one of its points is held, and another one against rotation.
+/// The base slips. One point of the base is held, and another one is held against rotation.
 std::vector<unsigned char> slippingBase(const VolumeMesh& mesh)
 {
   std::vector<unsigned char> fixed(static_cast<std::size_t>(mesh.nodeTotal()), 0);
@@ -69,7 +71,7 @@ ShapedBody ball(VolumeMesh mesh, double nu)
     Eigen::Vector3d(0.0, 0.0, BallRadius), 0.45 * BallRadius);
 }
 
-/// πE*R·H at an angle, interpolated between the rows of the series.
+/// πE*R·H at an angle from the pole, interpolated between the rows of the series.
 double seriesAt(const ReferenceTable& series, double angle, const std::string& column)
 {
   std::size_t i = 0;
@@ -82,7 +84,7 @@ double seriesAt(const ReferenceTable& series, double angle, const std::string& c
   return (1.0 - t) * series.number(i, column) + t * series.number(i + 1, column);
 }
 
-/// The sphere as in the table, which takes r²/2R for the gap of the ball. The curve knows the exact
+/// The tool of the table, which takes r²/2R for the gap of the ball. The library uses the exact
 /// gap, so the difference is removed from the tool here.
 GeneralTool sphereOfTheTable(double radius)
 {
@@ -125,9 +127,9 @@ double largestForceError(const ContactKernelFit& fit, double nu)
 }
 } // namespace
 
-// Elements of R/6: the error of H is 0.013 to 0.015 of its unit everywhere (0.028 with R/4, the
-// square of the ratio), which is 2 %. The error of the force is below 1 %, since most of it is that
-// of the half-space.
+// Elements of R/6: the error of H is 0.013 to 0.015 of its unit everywhere, which is 2 %. With R/4
+// it is 0.028, larger by the square of the ratio. The error of the force is below 1 %, because most
+// of the force is that of the half-space.
 TEST(ShapedBall, HexahedraOfASixthOfTheRadius)
 {
   for (const double nu : { 0.3, 0.45 })
@@ -146,7 +148,7 @@ TEST(ShapedBall, HexahedraOfASixthOfTheRadius)
   }
 }
 
-// Elements of R/4, 405 nodes: twice that, 1.6 % at a/R = 0.4.
+// Elements of R/4, 405 nodes: twice the error, 1.6 % at a/R = 0.4.
 TEST(ShapedBall, HexahedraOfAQuarterOfTheRadius)
 {
   for (const double nu : { 0.3, 0.45 })
@@ -155,21 +157,23 @@ TEST(ShapedBall, HexahedraOfAQuarterOfTheRadius)
   }
 }
 
-// Corners at R/4, mid-edge nodes on the ball: measured 0.4 %.
+// Corners at distances of R/4, mid-edge nodes on the ball: an error of 0.4 % was measured.
 TEST(ShapedBall, CurvedQuadraticTetrahedra)
 {
   EXPECT_LT(largestForceError(*ball(quadraticHemisphere(4, true), 0.45).fit, 0.45), 0.008);
 }
 
-// Mid-edge nodes on the chords, as in a linear mesh that is made quadratic: H lacks the part of the
-// facets. Without moving these nodes to the surface the force would have an error of 22 %.
+// Mid-edge nodes on the chords, as in a linear mesh that is made quadratic: H lacks the part
+// between facets and ball. If these nodes were not moved to the surface, the force would have an
+// error of 22 %.
 TEST(ShapedBall, StraightQuadraticTetrahedra)
 {
   EXPECT_LT(largestForceError(*ball(quadraticHemisphere(4, false), 0.45).fit, 0.45), 0.02);
 }
 
-// Finite elements in contact by another code, a sphere on a ball whose middle plane slips: no Green
-// function, no angle means. Their error is 0.1 %; R/6 gives less than 1 % of the force.
+// Contact of finite elements by another code, a sphere on a ball whose middle plane slips, without
+// a Green function or means over angles. Its error is 0.1 %; elements of R/6 have an error below 1
+// % of the force.
 TEST(ShapedBall, AgainstElementsInContact)
 {
   const ReferenceTable table("deep/curvature_sphere_on_ball.csv");

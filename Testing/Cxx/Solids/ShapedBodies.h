@@ -13,7 +13,7 @@
 
 namespace palpate::testing
 {
-/// Hexahedra between the planes of three ascending lists of coordinates.
+/// A block of hexahedra with nodes at three ascending lists of coordinates.
 inline VolumeMesh gridBlock(
   const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z)
 {
@@ -27,8 +27,8 @@ inline VolumeMesh gridBlock(
   return mesh;
 }
 
-/// Coordinates from 0 outwards: steps of `side` up to `fine`, then growing by `ratio` up to `end`;
-/// mirrored.
+/// Coordinates from 0 outwards in both directions: steps of `side` up to `fine`, then steps that
+/// grow by the factor `ratio`, up to `end`.
 inline std::vector<double> gradedLine(double side, double fine, double ratio, double end)
 {
   std::vector<double> half = { 0.0 };
@@ -48,7 +48,7 @@ inline std::vector<double> gradedLine(double side, double fine, double ratio, do
   return line;
 }
 
-/// The coordinates of gradedLine() that are not negative.
+/// The non-negative coordinates of gradedLine().
 inline std::vector<double> gradedHalf(double side, double fine, double ratio, double end)
 {
   const std::vector<double> line = gradedLine(side, fine, ratio, end);
@@ -56,7 +56,7 @@ inline std::vector<double> gradedHalf(double side, double fine, double ratio, do
     line.begin() + static_cast<std::ptrdiff_t>(line.size() / 2), line.end());
 }
 
-/// Heights from 0 to `top`, graded downwards from the top.
+/// Heights from 0 to `top`, with the smallest steps at the top.
 inline std::vector<double> gradedDepth(double side, double fine, double ratio, double top)
 {
   std::vector<double> heights;
@@ -68,7 +68,7 @@ inline std::vector<double> gradedDepth(double side, double fine, double ratio, d
   return heights;
 }
 
-/// A body of one material, held at x = 0 and x = `length`.
+/// A body of one material, held at x = 0 and at x = `length`.
 inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
 {
   std::vector<unsigned char> fixed;
@@ -79,8 +79,8 @@ inline ElasticBodyInput heldAtTheEnds(VolumeMesh mesh, double length)
   return { std::move(mesh), { { 0.1, 0.45 } }, fixed };
 }
 
-/// Relative error of a force from the elements, the order of the fit and the tilt near an edge, as
-/// shapedResponse() states it. `exponent`: d ln F / d ln δ.
+/// Relative error of a force that shapedResponse() states for the elements, the order of the fit
+/// and the tilt near an edge. `exponent`: d ln F / d ln δ.
 inline double statedOfElements(const ContactSample& errors, double exponent)
 {
   constexpr double leftOfTilt = 0.2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts near the edge of a block, against full two-dimensional contact on another code's H
-// (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and their end at the edge.
+// Contacts near the edge of a block, against a full two-dimensional contact with H from another
+// code (Data/Reference/shape/edge_axisymmetric_vs_full.csv), and the end of the law at the edge. H
+// is the regular part of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "DenseContact.h"
@@ -30,9 +31,9 @@ ShapedBody edgeBlock(double side, double ratio, double radius = 5.0)
 }
 } // namespace
 
-// Up to a/e = 0.83. The law ignores harmonics from the second on: 0.6 % of the force on the widest
-// flat, less for the others. Elements of e/4 have an error of 1 % of C_g, which is 0.3 % of the
-// force.
+// Contacts up to a/e = 0.83. The law ignores angular harmonics from the second on: 0.6 % of the
+// force on the widest flat end, less for the other tools. Elements of e/4 have an error of 1 % of
+// C_g, which is 0.3 % of the force.
 TEST(ShapedEdge, FollowsTheFullContact)
 {
   const ShapedBody block = edgeBlock(0.75, 1.25);
@@ -47,7 +48,7 @@ TEST(ShapedEdge, FollowsTheFullContact)
     const double error = curve.evaluate(depth).force / table.number(i, "full 2-D: F") - 1.0;
     const bool flat = name[0] == 'f';
     EXPECT_LT(std::abs(error), flat ? 0.01 : 0.005) << name << " " << depth;
-    // The tilt's part of the force is the error of the law without it, by the table.
+    // By the table, the tilt's part of the force is the error of a law without tilt.
     const IndentationPoint found = curve.evaluate(depth);
     const double part = curve.errorsAt(depth).harmonics * found.stiffness * depth / found.force;
     const double missed = -0.01 * table.number(i, "axisymmetric error %");
@@ -55,9 +56,9 @@ TEST(ShapedEdge, FollowsTheFullContact)
   }
 }
 
-// The same H without angle means, so it includes the tilt. Both contacts use H, so the difference
-// is the error of the law: 0.6 % for the widest flat. The error of the cells, which is the same
-// without H, is removed by the closed form.
+// A dense contact with the same H and without means over angles, so it includes the tilt. The
+// difference is the error of the law: 0.6 % for the widest flat end. The error of the square cells
+// is the same on a half-space, where the closed form removes it.
 TEST(ShapedEdge, IsWhatAllHarmonicsGive)
 {
   const ShapedBody block = edgeBlock(1.0, 1.6, 2.6);
@@ -70,7 +71,7 @@ TEST(ShapedEdge, IsWhatAllHarmonicsGive)
     const double radius = curve.evaluate(depth).contactRadius;
     const palpate::testing::DenseContact dense(*block.fit, 1.25 * radius, radius / 9.0);
     const auto gap = [&](double r) { return pressed->profile(r); };
-    // On the half-space, pressed to the depth with the same contact radius.
+    // The force on the half-space at the depth with the same contact radius.
     const bool flat = pressed->smallestContactRadius() > 0.0;
     const double alone = flat ? depth : pressed->depthAtContactRadius(radius);
     const double cells =

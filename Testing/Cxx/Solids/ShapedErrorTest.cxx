@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stated error of a contact on finite elements must bound the true one: against elements of
+// The stated error of a contact on finite elements must bound the true error: against elements of
 // half the size, at random points, tools and depths, on bodies to which the estimate was not
-// fitted. It does not include errors that a finer mesh does not change (small strain).
+// fitted. Errors that a finer mesh does not change (small strain) are not included.
 #include "ShapedBodies.h"
 
 #include "Mechanics/Numerics/Constants.h"
@@ -46,7 +46,7 @@ struct Solved
 
 using BodyOf = std::function<ElasticBodyInput(int finer)>;
 
-/// Random points of the coarse body's surface that can be pressed.
+/// Random points of the coarse body's surface at which a tool can press.
 std::vector<Eigen::Vector3d> drawn(const BodyOf& bodyOf, std::size_t count)
 {
   ElasticBody body;
@@ -70,8 +70,7 @@ std::vector<Eigen::Vector3d> drawn(const BodyOf& bodyOf, std::size_t count)
   return places;
 }
 
-/// Number of compared forces, and number whose difference from finer elements exceeds the stated
-/// error.
+/// Number of compared forces, and number of differences from finer elements above the stated error.
 struct Compared
 {
   int all = 0;
@@ -102,7 +101,8 @@ Compared compare(const BodyOf& bodyOf, double radius)
       const ContactSample errors = here.errorsAt(depth);
       const double stated = statedOfElements(errors, found.stiffness * depth / found.force);
       const double better = there.evaluate(depth).force;
-      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0); // second order
+      // the error is of second order
+      const double error = 4.0 / 3.0 * std::abs(found.force / better - 1.0);
       ++compared.all;
       compared.beyond += error > stated ? 1 : 0;
     }
@@ -133,7 +133,7 @@ ElasticBodyInput barThatBends(int finer)
   return heldBelow(block(5, 5, 16, finer), { { 0.1, 0.35 } });
 }
 
-/// Two elements thick, held at two ends; also pressed from the side.
+/// A plate two elements thick, held at two ends; it is also pressed from the side.
 ElasticBodyInput thinPlate(int finer)
 {
   return heldAtTheEnds(block(14, 14, 2, finer), 14.0);
@@ -168,8 +168,8 @@ ElasticBodyInput quadraticTetrahedra(int finer)
     { { 0.1, 0.45 } });
 }
 
-/// Hills and hollows with a wavelength of 8 mm, a curvature of up to 0.15/mm, on one element in
-/// eight.
+/// A block under hills and hollows with a wavelength of 8 mm and a curvature of up to 0.15/mm, with
+/// eight elements per wave.
 ElasticBodyInput underHills(int finer)
 {
   VolumeMesh mesh = block(16, 16, 8, finer);
@@ -183,7 +183,7 @@ ElasticBodyInput underHills(int finer)
   return heldBelow(std::move(mesh), { { 0.1, 0.45 } });
 }
 
-/// A ball of 2 mm, 2 mm below the top, ten times as stiff.
+/// A block over a ball with a radius of 2 mm, 2 mm below the top, which is ten times as stiff.
 ElasticBodyInput overANodule(int finer)
 {
   constexpr int n = 8; // sample points along each side of a voxel
@@ -204,7 +204,8 @@ ElasticBodyInput overANodule(int finer)
   }
   return heldBelow(std::move(mesh), materials);
 }
-/// Held below, and on its top up to x = 4 mm: a contact must not extend beyond that.
+/// A block that is held at the bottom and on its top up to x = 4 mm. A contact must not extend into
+/// the held part.
 ElasticBodyInput heldOnTop(int finer)
 {
   ElasticBodyInput input = heldBelow(block(10, 8, 5, finer), { { 0.1, 0.45 } });
@@ -217,8 +218,9 @@ ElasticBodyInput heldOnTop(int finer)
 }
 } // namespace
 
-// Contacts up to a tenth of their radius from the held part, against elements of a third of the
-// side: these change the force by a quarter, and that is stated.
+// Contacts at distances down to a tenth of their radius from the held part, against elements of a
+// third of the side. These elements change the force by a quarter, and the stated error covers the
+// change.
 TEST(ShapedError, HoldsBesideWhatIsHeld)
 {
   const std::vector<Eigen::Vector3d> places = { { 5.0, 4.0, 5.0 }, { 6.0, 4.0, 5.0 },
@@ -246,7 +248,7 @@ TEST(ShapedError, HoldsBesideWhatIsHeld)
   EXPECT_GT(largest, 0.02);
 }
 
-// Valid in 95 of 100 cases.
+// The stated error is a bound in 95 of 100 cases.
 TEST(ShapedError, HoldsAtRandom)
 {
   Compared all;

@@ -25,7 +25,8 @@ enum class Cells
   QuadraticTetrahedra
 };
 
-/// A block whose sides are 60 mm away: its edges change C_g of a bonded layer by less than 1e-6.
+/// A block whose sides are 60 mm away from the contact. They change C_g of a bonded layer by less
+/// than 1e-6.
 ShapedBody layerOf(Cells cells, double side, double nu, double reach = 15.0, double spacing = 0.0)
 {
   const std::vector<double> line = palpate::testing::gradedLine(side, reach, 1.5, 60.0);
@@ -92,8 +93,8 @@ Errors errorsOn(const ContactKernelFit& fit, double nu, const std::vector<const 
 const std::vector<const char*> Smooth = { "paraboloid:10", "sphere:40" };
 } // namespace
 
-// Reference sheet: 1 % with two elements through the thickness, for which C_g has an error of 3 %.
-// The stiffness contains the full steps of the fit, from 9 to 21 to 37 points.
+// The reference sheet states 1 % for two elements through the thickness, whose C_g has an error of
+// 3 %. The stiffness contains the full steps between fits of 9, 21 and 37 points.
 TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
 {
   const ShapedBody layer = layerOf(Cells::Hexahedra, 5.0, 0.45);
@@ -103,7 +104,8 @@ TEST(ShapedLayer, TwoHexahedraThroughTheThickness)
   EXPECT_LT(errorsOn(*layer.fit, 0.45, { "cone:80" }).force, 0.01);
 }
 
-// 0.35 % with four elements, for both, except for the stiffness between two orders of the fit.
+// An error of 0.35 % with four elements, for force and stiffness, except for the stiffness between
+// two orders of the fit.
 TEST(ShapedLayer, FourHexahedraThroughTheThickness)
 {
   for (const double nu : { 0.3, 0.45 })
@@ -117,8 +119,8 @@ TEST(ShapedLayer, FourHexahedraThroughTheThickness)
   }
 }
 
-// Sources a quarter of the thickness apart on elements of an eighth. The point itself may or may
-// not be a source.
+// Sources at distances of a quarter of the thickness, on elements of an eighth. The contact point
+// itself may or may not be a source.
 TEST(ShapedLayer, SomeSourcesStandForAll)
 {
   const ShapedBody all = layerOf(Cells::Hexahedra, 1.25, 0.45, 7.5);
@@ -128,8 +130,8 @@ TEST(ShapedLayer, SomeSourcesStandForAll)
   EXPECT_LT(errorsOn(*some.fit, 0.45, Smooth, 0.75).force, 0.0035);
 }
 
-// Nodes moved by up to a quarter of the elements' side in all directions, except those on the
-// outside and X.
+// Nodes are moved by up to a quarter of the elements' side in all directions, except nodes on the
+// outside and the contact point.
 TEST(ShapedLayer, IrregularHexahedra)
 {
   const std::vector<double> line = palpate::testing::gradedLine(2.5, 15.0, 1.5, 60.0);
@@ -149,12 +151,13 @@ TEST(ShapedLayer, IrregularHexahedra)
   const ShapedBody layer(
     { std::move(mesh), { { 1.0, 0.45 } }, fixed }, Eigen::Vector3d(0.0, 0.0, Thickness), 15.0);
   const Errors errors = errorsOn(*layer.fit, 0.45, Smooth);
-  EXPECT_LT(errors.force, 0.0035); // as for regular ones
+  EXPECT_LT(errors.force, 0.0035); // as large as for regular hexahedra
   EXPECT_LT(errors.stiffness, 0.005);
 }
 
-// Moduli that scatter by 2 % about their mean, as those from an image, are no border. The force is
-// between those of the softest and the hardest modulus, within the error of the elements.
+// Moduli that scatter by 2 % about their mean, as moduli from an image do, are not a border between
+// materials. The force is between that of the softest and that of the hardest modulus, within the
+// error of the elements.
 TEST(ShapedLayer, ScatteredModuliAreNoBorder)
 {
   const std::vector<double> line = palpate::testing::gradedLine(2.5, 7.5, 1.6, 60.0);
@@ -171,8 +174,8 @@ TEST(ShapedLayer, ScatteredModuliAreNoBorder)
   EXPECT_LT(errorsOn(*layer.fit, 0.45, Smooth, 0.74).force, 0.02 + 0.0035);
 }
 
-// Two bonded layers of 5 mm with a jump of Poisson's ratio and modulus between them, against the
-// exact stack. Reference sheet: 1 % with two elements through a layer.
+// Two bonded layers of 5 mm with different Poisson's ratios and moduli, against the exact stack.
+// The reference sheet states 1 % for two elements through a layer.
 TEST(ShapedLayer, PoissonsRatioMayJump)
 {
   const std::vector<double> line = palpate::testing::gradedLine(2.5, 7.5, 1.5, 60.0);
@@ -211,7 +214,7 @@ TEST(ShapedLayer, PoissonsRatioMayJump)
   }
 }
 
-// Measured: 0.7 % with two quadratic tetrahedra through the thickness.
+// An error of 0.7 % was measured for two quadratic tetrahedra through the thickness.
 TEST(ShapedLayer, TwoQuadraticTetrahedraThroughTheThickness)
 {
   const ShapedBody layer = layerOf(Cells::QuadraticTetrahedra, 5.0, 0.45);
@@ -220,8 +223,8 @@ TEST(ShapedLayer, TwoQuadraticTetrahedraThroughTheThickness)
   EXPECT_LT(errors.stiffness, 0.01);
 }
 
-// Linear tetrahedra lock: with four through the thickness they are 3.6 % too stiff at ν = 0.45,
-// 0.25 % at 0.3. The bound below requires that the error keeps its sign.
+// Linear tetrahedra lock: with four through the thickness they are 3.6 % too stiff at ν = 0.45 and
+// 0.25 % at 0.3. The bounds require that the force is too large.
 TEST(ShapedLayer, LinearTetrahedraAreTooStiff)
 {
   const ShapedBody locked = layerOf(Cells::Tetrahedra, 2.5, 0.45);
@@ -232,8 +235,8 @@ TEST(ShapedLayer, LinearTetrahedraAreTooStiff)
   EXPECT_LT(errorsOn(*other.fit, 0.3, Smooth).force, 0.0035);
 }
 
-// The estimate from the spacing must not be far below the error, nor ten times above it in the
-// relevant range, up to a/h = 0.75.
+// The error estimated from the spacing must not be much smaller than the true error, nor ten times
+// as large in the relevant range, up to a/h = 0.75.
 TEST(ShapedLayer, TellsTheErrorOfItsElements)
 {
   for (const double side : { 5.0, 2.5 })

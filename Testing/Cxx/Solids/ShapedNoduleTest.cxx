@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ball of another modulus under the surface of a bonded block, on voxels, against an axisymmetric
-// code with meshes that follow the ball (Data/Reference/shape/nodule_forces.csv).
+// A ball of another modulus under the surface of a bonded block of voxels, against an axisymmetric
+// code whose meshes follow the ball (Data/Reference/shape/nodule_forces.csv). H is the regular part
+// of the Green function (RegularGreen.h).
 #include "ShapedBodies.h"
 
 #include "Agreement.h"
@@ -19,7 +20,7 @@ using palpate::testing::ShapedBody;
 constexpr double NoduleRadius = 3.0;
 constexpr double Height = 40.0;
 
-/// Fraction of a box inside the nodule, from 8³ points.
+/// Fraction of a box that is inside the nodule, from 8³ points.
 double filled(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double depth)
 {
   constexpr int n = 8;
@@ -34,8 +35,8 @@ double filled(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double de
   return inside / static_cast<double>(n * n * n);
 }
 
-/// Voxels of 1 mm around the nodule, in a block as wide as the table's cylinder. Its sides change
-/// the force by less than 0.1 %.
+/// Voxels of 1 mm around the nodule, in a block as wide as the table's cylinder. The sides of the
+/// block change the force by less than 0.1 %.
 ShapedBody noduleBlock(double depth, double ratio, double radius)
 {
   const std::vector<double> line = palpate::testing::gradedLine(1.0, 4.0, 1.6, 53.0);
@@ -81,7 +82,8 @@ std::pair<double, double> noduleErrors(double depth, double ratio)
 }
 } // namespace
 
-// Reference sheet: voxels of 1 mm, harmonic for hard, geometric for soft, d = 1: 3.6 and 2.8 %. The
+// The reference sheet states 3.6 % (hard) and 2.8 % (soft) at a depth of 1 mm for voxels of 1 mm,
+// with the harmonic mean of the moduli for a hard nodule and the geometric mean for a soft one. The
 // nodule changes the force by up to 67 %.
 TEST(ShapedNodule, OneMillimetreDeep)
 {
@@ -93,7 +95,7 @@ TEST(ShapedNodule, OneMillimetreDeep)
   }
 }
 
-// d >= 2: 1.5 % hard, 0.8 % soft.
+// At depths from 2 mm on: 1.5 % for a hard nodule, 0.8 % for a soft one.
 TEST(ShapedNodule, TwoMillimetresDeep)
 {
   for (const double ratio : { 10.0, 0.2 })
@@ -104,7 +106,7 @@ TEST(ShapedNodule, TwoMillimetresDeep)
   }
 }
 
-// Here most of the error is that of the block itself: 0.15 % from the table's own mesh.
+// At this depth most of the error is that of the block, compared with the table's own mesh: 0.15 %.
 TEST(ShapedNodule, FiveMillimetresDeep)
 {
   const auto [force, stiffness] = noduleErrors(5.0, 10.0);
@@ -112,8 +114,9 @@ TEST(ShapedNodule, FiveMillimetresDeep)
   EXPECT_LT(stiffness, 0.004);
 }
 
-// The same H without angle means and without a fit that follows the contact. Over a nodule 1 mm
-// deep on cells of 1 mm the two interpolations between the points differ by up to 1.5 %.
+// A dense contact with the same H, without means over angles and without a fit that follows the
+// contact. Above a nodule 1 mm deep on cells of 1 mm, the two interpolations between the points
+// differ by up to 1.5 %.
 TEST(ShapedNodule, IsWhatAllHarmonicsGive)
 {
   const ShapedBody block = noduleBlock(1.0, 10.0, 2.6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both factors against a dense solution; floating parts; matrices that cannot be factorised.
+// Both factorisations against a dense solution; floating parts; matrices that cannot be factorised.
 #include "Agreement.h"
 #include "ElasticBlocks.h"
 
@@ -29,7 +29,8 @@ struct Small
     assembleStiffness(this->mesh, this->topology, { { 1.0, 0.3 } }, this->fixed, this->stiffness);
   }
 
-  /// Loads on one to seven unknowns, spread over the body; enough for several blocks.
+  /// Loads on one to seven unknowns, distributed over the body. There are enough loads for several
+  /// blocks.
   std::vector<SparseLoad> loads() const
   {
     std::vector<SparseLoad> made;
@@ -43,7 +44,7 @@ struct Small
       }
       made.push_back(load);
     }
-    made.emplace_back(); // an empty load
+    made.emplace_back(); // a load without entries
     return made;
   }
 };
@@ -80,7 +81,7 @@ TEST(StiffnessFactor, CompliancesAreThoseOfTheDenseMatrix)
       {
         b[unknown] += force;
       }
-      // The condition of the matrix, about 1e4, times rounding.
+      // Condition number of the matrix, about 1e4, times rounding.
       EXPECT_TRUE(agrees(found[i], b.dot(exact.solve(b)), 1e-11)) << i;
       if (i < 3)
       {
@@ -90,7 +91,8 @@ TEST(StiffnessFactor, CompliancesAreThoseOfTheDenseMatrix)
     const Eigen::MatrixXd many = Eigen::MatrixXd::Random(dense.rows(), 5);
     EXPECT_LT(
       (factor->solveAll(many) - exact.solve(many)).norm(), 1e-11 * exact.solve(many).norm());
-    // Between the size of the lower triangle of K and that of K with its factor.
+    // The memory is at least that of the lower triangle of K, and at most that of K with its
+    // factor.
     const auto n = static_cast<double>(dense.rows());
     EXPECT_GT(
       factor->memoryEstimate(), 8.0 * static_cast<double>(small.stiffness.lower.nonZeros()));
@@ -154,13 +156,13 @@ TEST(FloatingPart, IsNamedWithTheMotionsLeft)
   }
   EXPECT_NE(fault().find("cell 1 is floating"), std::string::npos) << fault();
   EXPECT_NE(fault().find("6 of 6"), std::string::npos) << fault();
-  fixed[8] = 7; // one corner: three rotations remain
+  fixed[8] = 7; // one corner is held: three rotations remain
   EXPECT_NE(fault().find("3 of 6"), std::string::npos) << fault();
-  fixed[9] = 7; // an edge: rotations about it remain
+  fixed[9] = 7; // an edge is held: the rotation about the edge remains
   EXPECT_NE(fault().find("1 of 6"), std::string::npos) << fault();
   fixed[10] = FixedZ;
   EXPECT_EQ(fault(), "");
-  fixed[0] = fixed[1] = 0; // six points are still enough for the first part
+  fixed[0] = fixed[1] = 0; // the remaining six points still hold the first part
   EXPECT_EQ(fault(), "");
 }
 
@@ -172,11 +174,12 @@ TEST(MeshTopology, AFaceOfThreeElementsIsAFault)
   EXPECT_NE(topology.build(mesh).find("more than two cells share a face"), std::string::npos);
 }
 
-/// Two cubes share an edge, and one shares a face with the first, which is held below.
+/// A cube that has only an edge in common with the held cube is not held, unless a third cube has
+/// faces in common with both.
 TEST(MeshTopology, WhatHangsByAnEdgeIsNotHeld)
 {
   VolumeMesh mesh = palpate::testing::hexahedronBlock(2, 1, 2, 1.0);
-  // below left, below right, above left, above right
+  // Order of the elements: below left, below right, above left, above right.
   const VolumeElement aboveRight = mesh.elements[3];
   std::vector<unsigned char> held(static_cast<std::size_t>(mesh.nodeTotal()), 0);
   for (std::int32_t i = 0; i < mesh.nodeTotal(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts on a half-space whose surface has its own shape, to second order and solved
-// (UnevenContact): inclined planes and unequal curvatures in closed form, and random waves against
-// square cells with an active set, a method without rings and harmonics.
+// Contacts on a half-space with an uneven surface, to second order and solved (UnevenContact):
+// inclined planes and unequal curvatures in closed form, and random waves against square cells with
+// an active set, a method without rings and harmonics.
 #include "Mechanics/Numerics/Constants.h"
 #include "Solids/TrueShape/ShapedContact.h"
 #include "Solids/TrueShape/UnevenContact.h"
@@ -22,7 +22,7 @@ namespace
 using namespace palpate;
 using palpate::testing::tool;
 
-using Height = std::function<double(const Eigen::Vector2d&)>; // below the tangent plane, mm
+using Height = std::function<double(const Eigen::Vector2d&)>; // depth below the tangent plane, mm
 
 SurfaceGap surfaceOf(const Height& height, double radius)
 {
@@ -46,7 +46,7 @@ enum class Way
   Solved
 };
 
-/// A half-space with this surface.
+/// Kernels of a half-space with this surface.
 class Shaped : public ContactKernels
 {
 public:
@@ -86,7 +86,8 @@ double ofCells(Way way)
   return way == Way::Solved ? 2e-3 : 0.0;
 }
 
-/// The force by square cells of uniform pressure (Love 1929) and an iterated active set; E* = 1.
+/// The force for E* = 1 from square cells of uniform pressure (Love 1929) and an iterated active
+/// set.
 double cellForce(
   const AxisymmetricTool& pressed, const Height& height, double depth, double extent, double side)
 {
@@ -162,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, SurfaceGapOf, ::testing::Values(Way::SecondOrder,
   [](const ::testing::TestParamInfo<Way>& way)
   { return way.param == Way::Solved ? "Solved" : "SecondOrder"; });
 
-// A paraboloid on a plane inclined by s is a paraboloid that is R s²/2 deeper and shifted sideways.
+// A paraboloid on a plane inclined by s acts as a paraboloid that is R s²/2 deeper and shifted
+// sideways.
 TEST_P(SurfaceGapOf, APlaneThatLeans)
 {
   constexpr double radius = 6.35;
@@ -177,7 +179,7 @@ TEST_P(SurfaceGapOf, APlaneThatLeans)
       const double more = 0.5 * radius * slope * slope / depth;
       const double exact = 4.0 / 3.0 * std::sqrt(radius) * std::pow(depth * (1.0 + more), 1.5);
       const double error = std::abs(curve.evaluate(depth).force / exact - 1.0);
-      // For the second-order method the error is of fourth order in the slope: 3/8 of the square of
+      // The error of the second-order method is of fourth order in the slope: 3/8 of the square of
       // the added part.
       const double left = GetParam() == Way::Solved ? 0.0 : 0.5 * more * more;
       EXPECT_LT(error, left + ofCells(GetParam()) + 1e-4) << slope << ' ' << depth;
@@ -186,40 +188,42 @@ TEST_P(SurfaceGapOf, APlaneThatLeans)
   }
 }
 
-// Hertz: an ellipse of contact with the same mean curvature.
+// Hertz: an elliptic contact with the same mean curvature.
 TEST_P(SurfaceGapOf, UnequalCurvatures)
 {
   const auto pressed = tool("paraboloid:6.35");
-  for (const double ratio : { 0.9, 0.7, 0.5, 0.35 }) // of the axes of the ellipse
+  for (const double ratio : { 0.9, 0.7, 0.5, 0.35 }) // ratio of the axes of the ellipse
   {
-    const double e2 = 1.0 - ratio * ratio; // its eccentricity squared
+    const double e2 = 1.0 - ratio * ratio; // square of the eccentricity
     const double k = std::comp_ellint_1(std::sqrt(e2));
     const double e = std::comp_ellint_2(std::sqrt(e2));
-    // Johnson 1985, 4.26: half curvatures A, B and depth, for the long half axis a = 1, all over
-    // p₀/E*.
+    // Johnson 1985, 4.26: half curvatures A, B and depth for the long half axis a = 1, all divided
+    // by p₀/E*.
     const double low = ratio / e2 * (k - e);
     const double high = ratio / e2 * (e / (ratio * ratio) - k);
     const double deep = ratio * k;
     const double push = 2.0 / 3.0 * Pi * ratio;
-    // Scaled to the combined mean curvature of tool and body at a depth of 1: lengths l, z as l².
+    // Scaled to the combined mean curvature of tool and body at a depth of 1: lengths by l, heights
+    // by l².
     constexpr double curvature = 1.0 / 6.35 + 0.05;
     const double length = std::sqrt((low + high) / (deep * curvature));
     const double exact = push / deep * length;
-    const double unequal = (high - low) / (high + low) * curvature; // half the difference
+    // half the difference of the curvatures
+    const double unequal = (high - low) / (high + low) * curvature;
     const Shaped kernels([unequal](const Eigen::Vector2d& at)
       { return 0.5 * (0.05 + unequal) * at[0] * at[0] + 0.5 * (0.05 - unequal) * at[1] * at[1]; },
       5.5, GetParam());
     const ContactCurve curve = ShapedContact(*pressed).curve(kernels);
     const double error = std::abs(curve.evaluate(1.0).force / exact - 1.0);
     const double part = std::pow(unequal / curvature, 2) / 3.0;
-    const double left = GetParam() == Way::Solved ? 0.0 : 2.0 * part * part; // of fourth order
+    const double left = GetParam() == Way::Solved ? 0.0 : 2.0 * part * part; // fourth-order error
     EXPECT_LT(error, left + 1.5 * ofCells(GetParam()) + 2e-4) << ratio;
     EXPECT_LT(error, curve.errorsAt(1.0).gap + 2e-4) << ratio;
-    EXPECT_GT(part, ratio < 0.8 ? 0.01 : 0.0); // the effect is visible
+    EXPECT_GT(part, ratio < 0.8 ? 0.01 : 0.0); // the effect is measurable
   }
 }
 
-// The cells rotate and shift with the contact, and a surface of revolution has no effect.
+// The cells rotate and shift with the contact. A surface of revolution has no effect.
 TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
 {
   const auto pressed = tool("sphere:6.35");
@@ -237,10 +241,10 @@ TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
   };
   const UnevenContact::Change straight = changeAt(0.0);
   EXPECT_TRUE(straight.isInside);
-  EXPECT_LT(straight.deflection, -0.02); // the part that stands out is pressed first
+  EXPECT_LT(straight.deflection, -0.02); // the higher part of the surface is pressed first
   for (const double turn : { 0.3, 0.8, 2.5 })
   {
-    // Within the stated error of the cells.
+    // Tolerance: the stated error of the cells.
     EXPECT_NEAR(changeAt(turn).deflection, straight.deflection, 0.05 * -straight.deflection)
       << turn;
   }
@@ -250,7 +254,7 @@ TEST(UnevenContact, ATurnedSurfaceIsFeltAlike)
 }
 
 // A flat end on a plane inclined by s first touches with one cell of its rim, s a before its middle
-// touches. From a depth of 2 s a on the contact is as on a level plane.
+// touches. From a depth of 2 s a on the contact is as on a plane that is not inclined.
 TEST(UnevenContact, APunchThatBeginsAtOnePointOfItsRimCloses)
 {
   const auto pressed = tool("flat:1.6");
@@ -266,10 +270,11 @@ TEST(UnevenContact, APunchThatBeginsAtOnePointOfItsRimCloses)
     before = later;
   }
   EXPECT_LT(before, 0.0);
-  EXPECT_NEAR(uneven.at(radius, 2.0 * 1.6 * 1.1).deflection, 0.0, 1e-4); // solved in floats
+  // solved in single precision
+  EXPECT_NEAR(uneven.at(radius, 2.0 * 1.6 * 1.1).deflection, 0.0, 1e-4);
 }
 
-// A contact that slides off the known surface reports that.
+// A contact that leaves the known surface reports this.
 TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
 {
   const auto pressed = tool("sphere:6.35");
@@ -283,18 +288,18 @@ TEST(UnevenContact, TheEndOfTheSurfaceIsTold)
   { return 0.1 * at[0] + 0.02 * (at[0] * at[0] - at[1] * at[1]); };
   const SurfaceGap enough = surfaceOf(uneven, SurfaceGap::reachFor(1.5));
   EXPECT_TRUE(UnevenContact(*pressed, enough).at(1.5, load).isInside);
-  const SurfaceGap under = surfaceOf(uneven, 1.5); // only the contact on the mean surface
+  const SurfaceGap under = surfaceOf(uneven, 1.5); // only the contact on the mean surface is known
   EXPECT_FALSE(UnevenContact(*pressed, under).at(1.5, load).isInside);
 }
 
-// Surfaces of six waves each, 1.5 to 12 mm long and more, that change the force by up to one half.
-// The stated error is valid in 19 of 20 cases, and the error of the law is a small part of the
-// effect of the shape.
+// Surfaces of six waves each, with wavelengths of at least 1.5 mm, that change the force by up to
+// one half. The stated error is a bound in 19 of 20 cases, and the error of the law is a small part
+// of the effect of the shape.
 TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
 {
   struct Wave
   {
-    Eigen::Vector2d number; // 1/mm
+    Eigen::Vector2d number; // wave vector, 1/mm
     double phase;
     double height;
   };
@@ -324,8 +329,7 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
         level += waves.back().height * std::sin(waves.back().phase);
         slope += waves.back().height * std::cos(waves.back().phase) * waves.back().number;
       }
-      // The normal of a vertex differs a little from that of the surface: a third of the slope
-      // remains.
+      // The normal of a vertex is nearly that of the surface: a third of the slope remains.
       const Height height = [=](const Eigen::Vector2d& at)
       {
         double sum = -level - 0.7 * slope.dot(at);
@@ -340,9 +344,9 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
       const ContactCurve curve = ShapedContact(*pressed).curve(kernels);
       if (curve.isEmpty() || !(depth < curve.deepest()))
       {
-        continue; // reported by its range
+        continue; // such depths are beyond the stated range
       }
-      // The error of the cells is that on a plane.
+      // The error of the cells is that on a plane, where it is known.
       const double side = pressed->contactRadius(depth) / 8.0;
       const double extent = 1.6 * pressed->contactRadius(depth);
       const double plane = pressed->force(depth, 1.0);
@@ -351,7 +355,7 @@ TEST_P(SurfaceGapOf, WavesDrawnAtRandom)
           *pressed, [](const Eigen::Vector2d&) { return 0.0; }, depth, extent, side);
       const double truth = scale * cellForce(*pressed, height, depth, extent, side);
       const double error = std::abs(curve.evaluate(depth).force / truth - 1.0);
-      constexpr double ofTruth = 1e-3; // change with sides of half the length
+      constexpr double ofTruth = 1e-3; // change with cells of half the side
       ++all;
       beyond += error > curve.errorsAt(depth).gap + ofTruth ? 1 : 0;
       changed += std::abs(truth / plane - 1.0);

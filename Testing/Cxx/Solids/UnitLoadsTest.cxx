@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body under unit loads at a place. Far from the loads it moves as under any other loads of the
-// same resultant. A part cut out of it, with the forces of its cut, moves as in the whole body.
+// same resultant. A part that is cut out of the body moves as in the whole body if it is loaded by
+// the forces at the cut.
 #include "Solids/FiniteElements/UnitLoads.h"
 #include "Solids/ShapedBodies.h"
 
@@ -43,7 +44,7 @@ ElementPlace inMiddle(const VolumeMesh& mesh, std::int32_t element)
   return { element, Eigen::Vector3d::Constant(isHexahedron ? 0.0 : 0.25) };
 }
 
-/// To rounding: the same elements, separated.
+/// Equal to rounding, because the elements are the same.
 TEST(UnitLoads, APartMovesAsItDoesInTheWhole)
 {
   for (const bool isOfTetrahedra : { false, true })
@@ -74,8 +75,8 @@ TEST(UnitLoads, APartMovesAsItDoesInTheWhole)
   }
 }
 
-/// At two widths from the load a force on one node and a couple on two have the same effect to a
-/// hundredth (St. Venant).
+/// At two widths from the loads, a force on one node and a couple on two nodes have the same effect
+/// to a hundredth (St. Venant).
 TEST(UnitLoads, FarAwayOnlyTheResultantCounts)
 {
   ElasticBody body;
@@ -100,7 +101,8 @@ TEST(UnitLoads, FarAwayOnlyTheResultantCounts)
     }
     else
     {
-      const Eigen::Vector3d arm = Eigen::Vector3d::Unit((k + 1) % 3); // both ends are nodes
+      // both ends of the arm are nodes
+      const Eigen::Vector3d arm = Eigen::Vector3d::Unit((k + 1) % 3);
       const Eigen::Vector3d low = place - (arm[2] > 0.0 ? 1.0 : 0.0) * arm;
       const Eigen::Vector3d push = unit.cross(arm);
       forces.col(nodeAt(low + arm)) += push;

@@ -49,8 +49,8 @@ FiniteCurve press(const AxisymmetricTool& given, const FiniteLayer& layer,
   return pressTool(outline, problem);
 }
 
-/// The force of the table row nearest to a depth, scaled to the depth by F ∝ δ^m (rows are a
-/// hundredth of a per cent apart).
+/// The force of the table row nearest to the depth, scaled to the depth by F ∝ δ^m. The nearest row
+/// differs from the depth by about 0.01 %.
 double tabulated(const ReferenceTable& table, const std::string& depthColumn,
   const std::string& forceColumn, double depth, double exponent, double nu, double second,
   const std::string& secondColumn)
@@ -82,14 +82,14 @@ TEST(FiniteIndentation, AtSmallStrainItIsTheExactLaw)
     const FiniteCurve curve =
       press(*sphere, unitLayer(nu, StrainModel::Linear), { 0.03, 0.09 }, 0.1, 0.05);
     ASSERT_EQ(curve.fault, "");
-    // The far field is held at a thousand contact radii: 1e-3; the mesh adds the same.
+    // The boundary at a thousand contact radii has an error of 1e-3; the mesh adds the same.
     EXPECT_TRUE(agrees(curve.points[1].force, sphere->force(0.09, 1.0), 2e-3)) << nu;
     EXPECT_TRUE(agrees(curve.points[0].force, sphere->force(0.03, 1.0), 4e-3)) << nu;
   }
 }
 
-/// c - 1 is proportional to the contact radius: 0.087 a/R at ν = 0.3, from another code. At zero
-/// depth the limit is the exact law to 0.1 %.
+/// c - 1 is proportional to the contact radius: 0.087 a/R at ν = 0.3, computed by another code. In
+/// the limit of zero depth the force is that of the exact law, to 0.1 %.
 TEST(FiniteIndentation, ItsLimitAtNoDepthIsTheExactLaw)
 {
   const auto sphere = tool("sphere:1");
@@ -99,8 +99,8 @@ TEST(FiniteIndentation, ItsLimitAtNoDepthIsTheExactLaw)
     const FiniteCurve linear =
       press(*sphere, unitLayer(0.3, StrainModel::Linear), { depth }, 0.1, 0.05);
     EXPECT_EQ(finite.fault + linear.fault, "");
-    // The linear solution equals the exact law to 2e-3 (above), the error of mesh and far field,
-    // which both solutions have.
+    // Linear and finite solutions have the same error of mesh and far field. The linear solution
+    // agrees with the exact law to 2e-3 (test above).
     return finite.points.at(0).force / linear.points.at(0).force;
   };
   const double near = factor(0.0025); // a/R = 0.05
@@ -147,13 +147,14 @@ TEST(FiniteIndentation, LayersOfOneMaterialAreOneLayer)
   problem.layers[1].thickness = 0.6;
   const FiniteCurve two = pressTool(outline, problem);
   ASSERT_EQ(one.fault + two.fault, "");
-  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4)); // a different mesh
+  // 5e-4: error of the different meshes
+  EXPECT_TRUE(agrees(two.points[0].force, one.points[0].force, 5e-4));
   // A stiffer layer below increases the force.
   problem.layers[1].youngsModulus *= 3.0;
   EXPECT_GT(pressTool(outline, problem).points.at(0).force, 1.1 * one.points[0].force);
 }
 
-/// At small strain a ball, pressed from two sides, and a cavity, pressed at one, against another
+/// A ball pressed from two sides and a cavity pressed at one side, at small strain, against another
 /// code.
 TEST(FiniteIndentation, OnABallAndInACavityAsTabulated)
 {
@@ -177,7 +178,7 @@ TEST(FiniteIndentation, OnABallAndInACavityAsTabulated)
     problem.edge = 0.08;
     const FiniteCurve curve = pressTool(ToolOutline(*sphere, 0.99, 0.1), problem);
     ASSERT_EQ(curve.fault, "");
-    // Two meshes, 0.2 % each.
+    // Two different meshes with an error of 0.2 % each.
     EXPECT_TRUE(agrees(curve.points[0].force, table.number(row, "F_fe_over_E"), 4e-3)) << radius;
     ++rows;
   }
@@ -196,7 +197,8 @@ TEST(FiniteIndentation, SphereOnAHalfSpaceAsTabulated)
     {
       const double wanted =
         tabulated(table, "delta_over_R", "F_over_EstarR2", point.depth, 1.4, nu, 0.0, "");
-      // Two meshes, two penalties: 3e-4 each by refinement; here the edges are longer.
+      // Two meshes and two penalties have an error of 3e-4 each by refinement. The edges are longer
+      // here.
       EXPECT_TRUE(agrees(point.force, wanted, 2e-3)) << nu << " at " << point.depth;
       EXPECT_GT(point.leastVolume, 0.4);
     }
@@ -246,7 +248,7 @@ TEST(FiniteIndentation, AConeIsWrongByTheSameFractionAtEveryDepth)
     }
     const FiniteCurve curve = press(*cone, unitLayer(0.45), { 0.3 }, 0.15);
     ASSERT_EQ(curve.fault, "");
-    // The missing tip has a smaller effect at larger depth. The table's own spread is 3e-3.
+    // The missing apex has less effect at larger depths. The values of the table vary by 3e-3.
     EXPECT_NEAR(curve.points[0].force / cone->force(0.3, 1.0),
       table.number(row, "c=F/F_small (any depth)"), 6e-3);
   }
@@ -288,7 +290,7 @@ TEST(FiniteIndentation, OgdenAndDemirayAsTabulated)
         << alpha << " at " << depths[i];
     }
   }
-  // α = 2 is another form of Neo-Hooke.
+  // Ogden's model with α = 2 is the Neo-Hookean model.
   const FiniteCurve two = press(*sphere, unitLayer(0.495, StrainModel::Ogden, 2.0), { 0.25 });
   ASSERT_EQ(two.fault, "");
   const FiniteCurve same = press(*sphere, unitLayer(0.495), { 0.25 });
@@ -305,7 +307,8 @@ TEST(FiniteIndentation, TheWorkDoneIsStored)
   }
   const FiniteCurve curve = press(*sphere, unitLayer(0.4), depths);
   ASSERT_EQ(curve.fault, "");
-  // Simpson's rule over u = √δ, where F dδ = 2 F u du is close to u⁴: 1e-4 in eight steps.
+  // Simpson's rule over u = √δ. F dδ = 2 F u du is nearly proportional to u⁴: an error of 1e-4 with
+  // eight steps.
   const double step = std::sqrt(0.4) / 8.0;
   double work = 0.0;
   for (int i = 1; i <= 8; ++i)
@@ -369,7 +372,7 @@ TEST(GradedDivision, IsFineWhereItIsAskedToBe)
     }
     if (ends[i] >= 0.9 && ends[i + 1] <= 1.1)
     {
-      EXPECT_LE(size, 0.0151); // the last one of a part may be half as long again
+      EXPECT_LE(size, 0.0151); // the last element of a part may be half as long again
     }
   }
   EXPECT_LT(ends.size(), 100U);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The effect of finite strain on a force: tables and solver against another code
-// (Data/Reference/deep, Data/Studies/calculix), Long et al. 2011, and by general properties.
+// The factor c by which finite strain changes a force: tables and solver against another code
+// (Data/Reference/deep, Data/Studies/calculix), against Long et al. 2011, and by general
+// properties.
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/SmallStrainError.h"
@@ -34,7 +35,7 @@ std::unique_ptr<StrainCorrection> correction(const AxisymmetricTool& given, doub
   return made;
 }
 
-/// c by the solver, on a mesh different from that of the tables.
+/// The factor c by the solver, on a mesh that differs from that of the tables.
 double solvedFactor(const AxisymmetricTool& pressed, FiniteProblem problem, double depth)
 {
   problem.contactRadius = pressed.contactRadius(depth);
@@ -51,7 +52,7 @@ StrainBodies halfSpaces()
   return { 0.0, 0.5, true, 0.0, 0.0, LayerBase::Bonded };
 }
 
-// The difference from another code's mesh (0.3 %), and the far field of each (0.1 %).
+// Difference between the meshes of the two codes (0.3 %) and between their far fields (0.1 % each).
 constexpr double OtherCode = 0.005;
 constexpr const char* Factor = "c=F/F_small";
 
@@ -68,10 +69,10 @@ TEST(StrainCorrection, SphereOnAHalfSpaceIsThatOfAnotherCode)
     const double nu = table.number(row, "nu");
     if (depth > 4.0)
     {
-      continue; // beyond the end of our table
+      continue; // beyond the end of the library's table
     }
-    // The other code's mesh is less accurate for shallow contacts of few elements; at ν = 0 its
-    // rows jump by 0.006.
+    // The mesh of the other code is less accurate for small depths, where the contact has few
+    // elements. At ν = 0 its rows jump by 0.006.
     const double within = depth < 0.4 || nu == 0.0 ? 2.0 * OtherCode : OtherCode;
     EXPECT_NEAR(made->at(depth, nu, 0.0).factor, table.number(row, Factor), within)
       << "nu " << nu << ", depth " << depth;
@@ -80,7 +81,8 @@ TEST(StrainCorrection, SphereOnAHalfSpaceIsThatOfAnotherCode)
 
 TEST(StrainCorrection, FlatAndConeOnAHalfSpaceAreThoseOfAnotherCode)
 {
-  // From 0.6 to 0.8 radii on our rim is rounder than theirs: within the stated error.
+  // From 0.6 to 0.8 radii on, the rim of the library's model is rounder than that of the other
+  // code. The difference is within the stated error.
   constexpr double sameRim = 0.7;
   const auto flat = correction(*tool("flat:1"), 1.3, halfSpaces());
   const ReferenceTable table("deep/finite_flat_cone_halfspace.csv");
@@ -97,7 +99,7 @@ TEST(StrainCorrection, FlatAndConeOnAHalfSpaceAreThoseOfAnotherCode)
       ++rows;
     }
   }
-  EXPECT_GT(rows, 50); // up to one radius
+  EXPECT_GT(rows, 50); // depths up to one radius
   const ReferenceTable cones("deep/cone_selfsimilar.csv");
   for (std::size_t row = 0; row < cones.size(); ++row)
   {
@@ -110,7 +112,7 @@ TEST(StrainCorrection, FlatAndConeOnAHalfSpaceAreThoseOfAnotherCode)
     for (const double depth : { 0.01, 1.0, 3.0 })
     {
       const StrainFactor found = cone->at(depth, cones.number(row, "nu"), 0.0);
-      // The table's own spread over depth is 0.018 at 45°.
+      // The values of the table vary by 0.018 over the depth at 45°.
       EXPECT_NEAR(found.factor, cones.number(row, "c=F/F_small (any depth)"),
         OtherCode + cones.number(row, "spread"))
         << angle;
@@ -130,7 +132,7 @@ TEST(StrainCorrection, SphereOnALayerIsThatOfAnotherCode)
     const double depth = h * table.number(row, "delta_over_h");
     if (table.number(row, "delta_over_h") < 0.09)
     {
-      continue; // few elements
+      continue; // the contact has few elements
     }
     EXPECT_NEAR(made->at(depth, table.number(row, "nu"), h).factor, table.number(row, Factor),
       2.0 * OtherCode)
@@ -138,7 +140,7 @@ TEST(StrainCorrection, SphereOnALayerIsThatOfAnotherCode)
   }
 }
 
-/// The table of thick layers at the thicknesses of the other code: two and four radii.
+/// The table of thick layers at the thicknesses of the other code, two and four radii.
 TEST(StrainCorrection, SphereOnAThickLayerIsThatOfAnotherCode)
 {
   const auto sphere = tool("sphere:2");
@@ -152,8 +154,8 @@ TEST(StrainCorrection, SphereOnAThickLayerIsThatOfAnotherCode)
     const StrainFactor found = made->at(depth, table.number(row, "nu"), h);
     if (table.number(row, "delta_over_h") > 0.09 && h >= 4.0)
     {
-      // The largest depth is 1.3 radii. Half of the layer of two radii is beyond the table, so its
-      // error applies.
+      // The largest depth is 1.3 radii. For the layer of two radii, depths beyond half of the
+      // thickness are outside the table, so the stated error applies.
       EXPECT_NEAR(found.factor, table.number(row, Factor), std::max(2.0 * OtherCode, found.error))
         << "nu " << table.number(row, "nu") << ", h " << h << ", depth " << depth;
       ++rows;
@@ -162,7 +164,8 @@ TEST(StrainCorrection, SphereOnAThickLayerIsThatOfAnotherCode)
   EXPECT_GT(rows, 20);
 }
 
-/// Between the nodes of the tables of thick layers, against the solver on a separate mesh.
+/// Thicknesses between the nodes of the tables of thick layers, against the solver on a separate
+/// mesh.
 TEST(StrainCorrection, ThickLayersBetweenTheirNodes)
 {
   struct Case
@@ -184,21 +187,22 @@ TEST(StrainCorrection, ThickLayersBetweenTheirNodes)
     const double exact = solvedFactor(*pressed, problem, given.depth);
     const auto made = correction(
       *pressed, given.depth, { given.ratio, given.ratio, false, 2.0, 16.0, LayerBase::Bonded });
-    // Another mesh, 0.2 %, and cubic interpolation. The stated error of the flat is that of its
-    // rim.
+    // The meshes differ by 0.2 %; cubic interpolation adds to this. The stated error of the flat
+    // end is that of its rim.
     EXPECT_NEAR(made->at(given.depth, given.ratio, given.thickness).factor, exact, 0.004)
       << given.tool << ", " << given.thickness << " mm";
   }
 }
 
-/// Up to half a radius beyond the tables the stated error covers the change of c, by the solver.
+/// Up to half a radius beyond the tables the stated error is at least the change of c found by the
+/// solver.
 TEST(StrainCorrection, TheErrorBeyondTheTableCoversWhatIsThere)
 {
   const auto sphere = tool("sphere:1");
   constexpr double deepest = 1.3;
   const auto made = correction(*sphere, deepest, halfSpaces());
   FiniteProblem problem;
-  FiniteLayer body; // infinite
+  FiniteLayer body; // without layers: a half-space
   body.poissonRatio = 0.48;
   problem.layers = { body };
   const double exact = solvedFactor(*sphere, problem, deepest);
@@ -207,8 +211,8 @@ TEST(StrainCorrection, TheErrorBeyondTheTableCoversWhatIsThere)
   EXPECT_LT(found.error, 0.03);
 }
 
-/// The layer with ν = ½ of Long, Hall, Wu and Hui (2011), for h/R from 0.5 to 2. Our ν is 0.495;
-/// Testing/Studies/finite_strain/test_curves.py checks the limit itself.
+/// The incompressible layer of Long, Hall, Wu and Hui (2011), for h/R from 0.5 to 2. The library
+/// uses ν = 0.495; Testing/Studies/finite_strain/test_curves.py checks the limit ν = ½.
 TEST(StrainCorrection, SphereOnAnIncompressibleLayerIsThatOfLong)
 {
   const auto sphere = tool("sphere:1");
@@ -227,15 +231,16 @@ TEST(StrainCorrection, SphereOnAnIncompressibleLayerIsThatOfLong)
         (1.0 + 1.15 * std::cbrt(omega) + alpha * omega + beta * omega * omega) /
         (1.0 + 2.3 * omega);
       const double small = contact.evaluate(depth, reducedModulus(1.0, 0.495)).force;
-      // 1.503 % at h = 0.5, δ = 0.2 h. Of these, 3e-4 are from the mesh (elements half as long) and
-      // 1.3 % from ν, which is not ½: extrapolated to ½ the difference is 0.2 %.
+      // The difference is 1.503 % at h = 0.5, δ = 0.2 h. Of this, 3e-4 are from the mesh (compared
+      // with elements half as long) and 1.3 % from ν below ½. Extrapolated to ½ the difference is
+      // 0.2 %.
       EXPECT_NEAR(small * made->at(depth, 0.495, h).factor / published, 1.0, 0.0155)
         << "h " << h << ", depth " << depth;
     }
   }
 }
 
-/// CalculiX, Neo-Hooke, ν = 0.45: the exact law times c.
+/// Force by CalculiX, Neo-Hooke, ν = 0.45, against the exact law times c.
 TEST(StrainCorrection, SpheresAndAFlatAreThoseOfCalculix)
 {
   struct Case
@@ -244,16 +249,17 @@ TEST(StrainCorrection, SpheresAndAFlatAreThoseOfCalculix)
     double thickness;
     double within;
   };
-  // CalculiX's contact changes node by node: 1 % at 0.45 h under the sphere of 0.635 h.
+  // The contact in CalculiX changes node by node: an error of 1 % at 0.45 h under the sphere of
+  // 0.635 h.
   for (const Case& given : { Case{ "block-sphere6.35-neohooke", 0.0, 0.005 },
          Case{ "block-sphere6.35-neohooke-deep", 0.0, 0.005 },
          Case{ "layer10-sphere20-neohooke-deep", 10.0, 0.007 },
          Case{ "layer10-sphere6.35-neohooke", 10.0, 0.005 },
          Case{ "layer10-sphere6.35-neohooke-deep", 10.0, 0.013 },
-         // The table of thick layers. CalculiX's mesh is 0.1 of the radius, and the flat's rim
-         // follows its nodes, which adds 1 % to the force on a block as well. A solution at exactly
-         // this thickness has a c that differs by 2.03 % at 0.375 radii, the table one by 2.06 %;
-         // the stated error is 2.2 %.
+         // These cases use the table of thick layers. The mesh of CalculiX is 0.1 of the radius,
+         // and the rim of its flat end follows the nodes, which adds 1 % to the force on a block as
+         // well. At 0.375 radii, c differs by 2.06 % with the table and by 2.03 % with a solution
+         // at exactly this thickness. The stated error is 2.2 %.
          Case{ "layer10-sphere1.6-neohooke", 10.0, 0.01 },
          Case{ "layer10-flat1.6-neohooke", 10.0, 0.022 } })
   {
@@ -272,7 +278,7 @@ TEST(StrainCorrection, SpheresAndAFlatAreThoseOfCalculix)
     {
       if (depths[i] < 0.04 * file.tool.Radius)
       {
-        continue; // a contact of few nodes
+        continue; // the contact has few nodes
       }
       double small = pressed->force(depths[i], modulus);
       if (h > 0.0)
@@ -288,8 +294,9 @@ TEST(StrainCorrection, SpheresAndAFlatAreThoseOfCalculix)
   }
 }
 
-/// c - 1 is proportional to the contact radius a: 1 is a limit, not the value at a small depth. The
-/// slope at 0, d(c - 1)/d(a/R), is from another code; the table's own slope is that of a fit.
+/// c - 1 is proportional to the contact radius a, so c tends to 1 at small depths but is not 1
+/// there. The slope at 0, d(c - 1)/d(a/R), is from another code; the table's own slope is from a
+/// fit.
 TEST(StrainCorrection, ToSmallDepthsItIsNone)
 {
   const auto made = correction(*tool("sphere:5"), 5.0, halfSpaces());
@@ -308,8 +315,8 @@ TEST(StrainCorrection, ToSmallDepthsItIsNone)
   }
 }
 
-/// A fillet in place of a corner is an error. The error of the correction covers the change by half
-/// the fillet, on a layer and for a tool without a table.
+/// A fillet in place of a corner causes an error. The stated error of the correction is at least
+/// the change by half the fillet, on a layer and for a tool without a table.
 TEST(StrainCorrection, ACornerHasAnErrorOfItsOwn)
 {
   const auto flat = tool("flat:1");
@@ -333,8 +340,9 @@ TEST(StrainCorrection, ACornerHasAnErrorOfItsOwn)
   const StrainBodies layer{ 0.3, 0.3, false, 1.0, 1.0, LayerBase::Bonded };
   const auto made = correction(*flat, deepest, layer);
   EXPECT_GT(made->at(deepest, 0.3, 1.0).error, change);
-  EXPECT_LT(made->at(deepest, 0.3, 1.0).error, 0.02); // and it is not a multiple of it
-  // A sphere has no corner.
+  // the stated error is not much larger than the change
+  EXPECT_LT(made->at(deepest, 0.3, 1.0).error, 0.02);
+  // A sphere has no corner, so its error is smaller.
   const auto round = correction(*tool("paraboloid:1"), deepest, layer);
   EXPECT_LT(round->at(deepest, 0.3, 1.0).error + 0.005, made->at(deepest, 0.3, 1.0).error);
 }
@@ -342,7 +350,8 @@ TEST(StrainCorrection, ACornerHasAnErrorOfItsOwn)
 TEST(StrainCorrection, TheSlopeIsThatOfTheFactor)
 {
   const auto made = correction(*tool("sphere:5"), 5.0, halfSpaces());
-  constexpr double step = 1e-5; // central difference: 1e-10/6 of the third derivative
+  // error of the central difference: 1e-10/6 times the third derivative
+  constexpr double step = 1e-5;
   for (const double depth : { 0.2, 1.0, 2.7, 4.4 })
   {
     const double difference =
@@ -356,15 +365,15 @@ TEST(StrainCorrection, BeyondItsTableTheErrorGrows)
   const auto made = correction(*tool("sphere:5"), 5.0, halfSpaces());
   const StrainFactor within = made->at(5.0, 0.3, 0.0);
   const StrainFactor beyond = made->at(10.0, 0.3, 0.0);
-  // It continues for a quarter of √δ, then stays constant.
+  // Beyond the table the factor continues for a quarter of √δ and is then constant.
   EXPECT_DOUBLE_EQ(beyond.factor, made->at(1.5625 * 5.0, 0.3, 0.0).factor);
   EXPECT_NEAR(beyond.factor, within.factor, 0.03);
   EXPECT_EQ(beyond.slope, 0.0);
   EXPECT_GT(beyond.error, within.error + 0.04);
 }
 
-/// A curve that ends at the end of the table keeps its slope there. On layers a lost slope changed
-/// the force by 1.2 % between the last two samples.
+/// A curve that ends at the end of the table keeps its slope there. With a slope of zero the force
+/// on layers changed by 1.2 % between the last two samples.
 TEST(StrainCorrection, TheSlopeDoesNotEndWithTheTable)
 {
   const auto sphere = tool("sphere:1");
@@ -376,8 +385,8 @@ TEST(StrainCorrection, TheSlopeDoesNotEndWithTheTable)
   EXPECT_NEAR(after.factor, before.factor, 1e-6);
   const double further = made->at(0.255, 0.3, 0.5).factor;
   EXPECT_NEAR(further, before.factor + 0.005 * before.slope, 2e-4); // linear in √δ
-  // The row of four radii ends at 0.4 of the thickness, which has no effect on layers up to two
-  // radii.
+  // The table's row for four radii ends at 0.4 of the thickness. This has no effect on layers up to
+  // two radii.
   const auto between = correction(*sphere, 0.75, { 0.3, 0.3, false, 1.5, 1.5, LayerBase::Bonded });
   EXPECT_GT(between->at(0.74, 0.3, 1.5).slope, 0.1);
   EXPECT_LT(between->at(0.74, 0.3, 1.5).error, 0.005);
@@ -401,7 +410,7 @@ TEST(StrainCorrection, StiffeningIsSolvedForAndKept)
   const StrainLaw ogden{ StrainModel::Ogden, 9.0 };
   ASSERT_EQ(makeStrainCorrection(*sphere, ogden, layer, 0.45, count, first), "");
   EXPECT_GT(asked, 5);
-  // r = F/F_neo for α = 9 on a layer h = R at δ/h = 0.45 is 1.51, from another code.
+  // Another code gives r = F/F_neo = 1.51 for α = 9 on a layer h = R at δ/h = 0.45.
   const auto neo = correction(*sphere, 0.45, layer);
   EXPECT_NEAR(first->at(0.45, 0.495, 1.0).factor / neo->at(0.45, 0.495, 1.0).factor, 1.51, 0.02);
 
@@ -434,7 +443,7 @@ TEST(StrainCorrection, ParametersAreChecked)
   EXPECT_EQ(made, nullptr);
 }
 
-/// The bound is valid for 95 % of the results of another code and is not a multiple of their error.
+/// The bound holds for 95 % of the results of another code and is not much larger than their error.
 TEST(SmallStrainError, BoundsWhatAnotherCodeFound)
 {
   int held = 0;
@@ -443,7 +452,7 @@ TEST(SmallStrainError, BoundsWhatAnotherCodeFound)
   const auto count = [&](double factor, double bound)
   {
     const double error = std::abs(factor - 1.0);
-    held += error <= bound + 0.003 ? 1 : 0; // 0.003 for their meshes
+    held += error <= bound + 0.003 ? 1 : 0; // 0.003: error of the other code's meshes
     ++all;
     ratios.push_back(bound / std::max(error, 0.01));
   };
@@ -476,8 +485,8 @@ TEST(SmallStrainError, BoundsWhatAnotherCodeFound)
   EXPECT_LT(ratios[static_cast<std::size_t>(all) / 2], 3.0);
 }
 
-/// At random parameters, against the solver: the bound of small strain and that of the correction
-/// are each valid in 95 of 100 cases.
+/// The bound of small strain and the bound of the correction each hold in 95 of 100 cases, at
+/// random parameters against the solver.
 TEST(SmallStrainError, HoldsAtRandomWhereTheSolverWasNotFitted)
 {
   std::mt19937 random(7);
@@ -490,7 +499,7 @@ TEST(SmallStrainError, HoldsAtRandomWhereTheSolverWasNotFitted)
   for (int i = 0; i < layers; ++i)
   {
     const double nu = 0.3 + 0.195 * unit(random);
-    const double h = 0.5 * std::pow(4.0, unit(random)); // up to two radii
+    const double h = 0.5 * std::pow(4.0, unit(random)); // thickness up to two radii
     const double deepest = (0.1 + 0.4 * unit(random)) * h;
     FiniteProblem problem;
     problem.contactRadius = sphere->contactRadius(deepest);
@@ -511,7 +520,7 @@ TEST(SmallStrainError, HoldsAtRandomWhereTheSolverWasNotFitted)
       const double a = law.contactRadius;
       const double pressure = law.force / (3.14159265358979 * a * a * reducedModulus(1.0, nu));
       const StrainFactor factor = made->at(point.depth, nu, h);
-      const double own = 0.004; // error of the solver's mesh here, by refinement
+      const double own = 0.004; // error of the solver's mesh, by refinement
       small += std::abs(point.force / law.force - 1.0) <=
           smallStrainError(pressure, nu, point.depth / h, a / h) + own
         ? 1

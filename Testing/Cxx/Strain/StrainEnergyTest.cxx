@@ -31,7 +31,7 @@ constexpr std::array<Case, 7> Cases = { { { StrainModel::NeoHooke, 0.0 },
   { StrainModel::Ogden, 2.0 }, { StrainModel::Ogden, 9.0 }, { StrainModel::Ogden, -5.0 },
   { StrainModel::Demiray, 0.5 }, { StrainModel::Demiray, 8.0 }, { StrainModel::Linear, 0.0 } } };
 
-/// The textbook form: from the stretches of F = 1 + H.
+/// Energy in textbook form, from the stretches of F = 1 + H.
 Real fromStretches(const Case& energy, const Gradient& h)
 {
   Eigen::Matrix<Real, 3, 3> f = Eigen::Matrix<Real, 3, 3>::Identity();
@@ -107,7 +107,7 @@ TEST(StrainEnergy, IsTheOneOfTheBook)
     for (int i = 0; i < 200; ++i)
     {
       const Gradient h = randomGradient(random, 0.3);
-      // Cancellation in long double leaves about 1e-18 of its terms.
+      // Cancellation in long double leaves an error of about 1e-18 of the terms.
       EXPECT_TRUE(agrees(valueAt(energy, h), static_cast<double>(fromStretches(each, h)), 1e-12))
         << static_cast<int>(each.model) << " " << each.parameter;
     }
@@ -116,8 +116,9 @@ TEST(StrainEnergy, IsTheOneOfTheBook)
 
 TEST(StrainEnergy, KeepsItsDigitsAtTinyStrains)
 {
-  // Far from a contact, where the difference of large numbers would lose all digits. There every
-  // model is Hooke's law, except for terms of the next order, 1e-8 of it.
+  // Tiny strains, as far from a contact, where a difference of large numbers would lose all digits.
+  // Every model is Hooke's law here, except for terms of the next order, which are 1e-8 of the
+  // energy.
   std::mt19937 random(8);
   const StrainEnergy linear(StrainModel::Linear, Mu);
   for (const Case& each : Cases)
@@ -137,7 +138,7 @@ TEST(StrainEnergy, KeepsItsDigitsAtTinyStrains)
 TEST(StrainEnergy, StressAndTangentAreItsDerivatives)
 {
   std::mt19937 random(9);
-  // Also for two nearly or exactly equal stretches in the plane.
+  // Includes two nearly or exactly equal stretches in the plane.
   const std::array<double, 4> sizes = { 0.25, 0.03, 1e-4, 0.0 };
   for (const Case& each : Cases)
   {
@@ -155,7 +156,7 @@ TEST(StrainEnergy, StressAndTangentAreItsDerivatives)
           other[i] += by;
           return differentiate(energy, other);
         };
-        // Five-point differences: an error of step⁴.
+        // Five-point differences have an error of step⁴.
         const auto derivative = [&](auto&& part)
         {
           return ((8.0 * (part(moved(step)) - part(moved(-step))) - part(moved(2.0 * step)) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finite strain on stacked layers, by properties of any solver: equal layers are one layer, equal
-// layers on a half-space are that half-space, a small depth gives the exact law.
+// Finite strain on stacked layers, by properties that hold for any solver: equal layers are one
+// layer, equal layers on a half-space of the same material are that half-space, and a small depth
+// gives the exact law.
 #include "Strain/FiniteIndentation.h"
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/Layers/LayerContact.h"
@@ -67,7 +68,7 @@ TEST_F(StrainStack, EqualLayersAreOneLayer)
   for (const double nu : { 0.3, 0.495 })
   {
     const auto two = correction(*sphere, 0.9, stackOf({ { 0.8, 0.1, nu }, { 1.2, 0.1, nu } }));
-    // A table from another mesh, stated error 0.003; the solution adds the same.
+    // The table is from another mesh, with a stated error of 0.003; the solution adds the same.
     const auto one = correction(*sphere, 0.9, layerOf(2.0, nu));
     for (const double depth : { 0.1, 0.3, 0.6, 0.9 })
     {
@@ -86,7 +87,7 @@ TEST_F(StrainStack, EqualLayersOnASlipperyBaseAreOneLayer)
   const auto bonded = correction(*sphere, 0.6, layerOf(2.0, Ratio));
   for (const double depth : { 0.1, 0.3, 0.6 })
   {
-    // One mesh has an additional line of nodes.
+    // The meshes differ by one line of nodes.
     EXPECT_NEAR(two->at(depth, Ratio, 0.8, 1.2).factor, one->at(depth, Ratio, 2.0).factor, 1e-3);
   }
   EXPECT_GT(std::abs(one->at(0.6, Ratio, 2.0).factor - bonded->at(0.6, Ratio, 2.0).factor), 0.01);
@@ -146,13 +147,13 @@ TEST_F(StrainStack, ToSmallDepthsItIsTheExactLaw)
       EXPECT_EQ(found.fault, "");
       return found.fault.empty() ? found.points[0].force : static_cast<double>(NAN);
     };
-    // The exact law at any depth, if the strain is declared small. The elements grow away from the
-    // contact; if it is half a layer wide, it is resolved well.
+    // A linear model must give the exact law at any depth. The elements grow with the distance from
+    // the contact; they resolve a contact that is half as wide as a layer.
     const double exact =
       contact.evaluate(0.1, reducedModulus(top.youngsModulus, top.poissonRatio)).force;
-    // The far field of a half-space adds the same error.
+    // The far field of a half-space adds an error of 1e-3.
     EXPECT_NEAR(solve(0.1, StrainModel::Linear) / exact, 1.0, stack.hasHalfSpace ? 2e-3 : 1e-3);
-    // Finite strain at a depth of 1e-4 radii: the remaining effect is about 0.05 a/R, with a/R =
+    // Finite strain at a depth of 1e-4 radii: the remaining effect is about 0.05 a/R, and a/R =
     // 0.01.
     EXPECT_NEAR(solve(5e-4, StrainModel::NeoHooke) / solve(5e-4, StrainModel::Linear), 1.0, 1e-3);
   }
