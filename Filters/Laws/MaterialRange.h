@@ -28,6 +28,10 @@ public:
   /// The layers. For a stack, they include its kernels, which are made by this function
   /// (StackKernels.h).
   LayerTable::Layers prepared() const;
+  /// Whether the thickness of at least one layer has an error.
+  bool isUncertain() const noexcept { return this->uncertain.thickest > 0.0; }
+  /// The layers that are possible within the errors of their thicknesses, prepared like prepared().
+  LayerTable::Layers preparedUncertain() const;
   /// The range of bodies for the correction of finite strain.
   StrainBodies strainBodies() const;
 
@@ -35,6 +39,10 @@ public:
   LayerStack stack;          ///< no layers: the body is not a stack
   /// Thickness of the second layer of the stack, mm; if there is none, as `layers` without layers.
   ThicknessSpan second;
+  /// The thinnest layers within the errors of their thicknesses (ContactSpot::thinnestPlace), of
+  /// the spots that have such an error.
+  LayerTable::Layers uncertain;
+  ThicknessSpan uncertainSecond;
   bool stiffens = false;     ///< at least one compliance is negative
   bool hasHalfSpace = false; ///< at least one point has no layer
   double leastRatio = 0.5;   ///< smallest Poisson's ratio
@@ -43,7 +51,6 @@ public:
   std::vector<ContactSpot> extremes;
 
 private:
-  void addRatio(double poissonRatio);
   void widen(const ContactSpot& spot);
 };
 } // namespace palpate

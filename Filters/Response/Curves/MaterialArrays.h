@@ -26,7 +26,9 @@ class Ranks;
 /// The point arrays of a body that override its constants: 0 Young's modulus, 1 layer thickness, 2
 /// global compliance, 3 Poisson's ratio, 4 thickness of a stack's second layer. An array that is
 /// not requested has no name; an array that is requested but missing is null. An array with the
-/// name of the compliance array followed by `Error`, if present, is the error of the compliance.
+/// name of the compliance array followed by `Error`, if present, is the error of the compliance. An
+/// array with the name of a thickness array followed by `Error`, if present, is the error of
+/// 1/thickness (1/mm).
 struct MaterialArray
 {
   std::string name;
