@@ -20,8 +20,8 @@ std::string makeCacheFolder(const std::string& file);
  * Reads a body file as readBodyFile does, but with a cache, for scans, whose skin takes seconds to
  * compute. The cache is a flat body file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate). Its name
  * depends on the path, size and modification time of the scan and on the options. The body has the
- * same bits with and without the cache, including LayerThickness. A cache that cannot be read or
- * written is not an error; a note reports it.
+ * same bits with and without the cache, including LayerThickness and its error. A cache that cannot
+ * be read or written is not an error; a note reports it.
  */
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options);
 } // namespace palpate
