@@ -30,7 +30,7 @@ std::string checkEach(
         " must ", must, ", but is ", *wrong);
 }
 
-bool isThickness(double value)
+bool isNotNegative(double value)
 {
   return std::isfinite(value) && value >= 0.0;
 }
@@ -67,7 +67,7 @@ std::string BodyMaterial::checkConstants() const
   {
     return joined("Poisson's Ratio must lie between 0 and 0.5, but is ", this->Given.poissonRatio);
   }
-  if (!isThickness(this->Given.thickness))
+  if (!isNotNegative(this->Given.thickness))
   {
     return joined(
       "Layer Thickness must be finite and not negative (mm, 0 for a half-space), but is ",
@@ -86,7 +86,7 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   if (wrong.empty())
   {
     wrong = checkEach(
-      values.thickness, "layer thickness", "be finite and not negative (mm)", isThickness);
+      values.thickness, "layer thickness", "be finite and not negative (mm)", isNotNegative);
   }
   if (wrong.empty())
   {
@@ -96,8 +96,15 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   if (wrong.empty())
   {
     wrong = checkEach(values.complianceError, "error of the global compliance",
-      "be finite and not negative (mm/N)",
-      [](double value) { return value >= 0.0 && std::isfinite(value); });
+      "be finite and not negative (mm/N)", isNotNegative);
+  }
+  for (const PointValues* each : { &values.thicknessError, &values.secondError })
+  {
+    if (wrong.empty())
+    {
+      wrong = checkEach(*each, "error of the inverse layer thickness",
+        "be finite and not negative (1/mm)", isNotNegative);
+    }
   }
   if (!wrong.empty())
   {
@@ -108,9 +115,12 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   this->Compliance = std::move(values.compliance.values);
   this->Second = std::move(values.second.values);
   this->ComplianceError = std::move(values.complianceError.values);
+  this->ThicknessError = std::move(values.thicknessError.values);
+  this->SecondError = std::move(values.secondError.values);
 
-  const std::size_t distinct = std::max({ this->PoissonsRatio.size(), this->Thickness.size(),
-    this->Compliance.size(), this->Second.size() });
+  const std::size_t distinct =
+    std::max({ this->PoissonsRatio.size(), this->Thickness.size(), this->Compliance.size(),
+      this->Second.size(), this->ThicknessError.size(), this->SecondError.size() });
   const ContactSpots spots = this->spots();
   this->Range = MaterialRange(this->Given.base, this->Given.stack());
   for (std::size_t i = 0; i < std::max<std::size_t>(distinct, 1); ++i)
@@ -214,7 +224,8 @@ ContactSpots BodyMaterial::spots() const
   ContactSpots spots{ { reducedModulus(this->Given.youngsModulus, this->Given.poissonRatio),
                         this->Given.poissonRatio, 0.0, this->Given.thickness },
     data(this->ReducedModulus), data(this->PoissonsRatio), data(this->Compliance),
-    data(this->Thickness), data(this->Second), 0.0, data(this->ComplianceError) };
+    data(this->Thickness), data(this->Second), 0.0, data(this->ComplianceError),
+    data(this->ThicknessError), data(this->SecondError) };
   if (this->Given.isStack())
   {
     const std::vector<StackLayer>& deeper = this->Given.deeper;

@@ -69,6 +69,8 @@ public:
     PointValues poissonRatio;
     PointValues second;               ///< thickness of the second layer of a stack, mm
     PointValues complianceError = {}; ///< error of the compliance, mm/N
+    PointValues thicknessError = {};  ///< error of 1/thickness, 1/mm
+    PointValues secondError = {};     ///< error of 1/second, 1/mm
   };
   explicit BodyMaterial(const Constants& constants);
 
@@ -107,6 +109,8 @@ private:
   std::vector<double> Thickness;
   std::vector<double> Second;
   std::vector<double> ComplianceError;
+  std::vector<double> ThicknessError;
+  std::vector<double> SecondError;
   MaterialRange Range;
 };
 } // namespace palpate

@@ -32,10 +32,25 @@ struct ContactSpot
   double second = 0.0;          ///< thickness of the second layer of a stack, mm
   double thinnest = 0.0;        ///< thickness of the thinnest layer of a stack, mm
   double complianceError = 0.0; ///< error of the compliance, mm/N
+  double thicknessError = 0.0;  ///< error of 1/thickness, 1/mm; for a half-space 1/thickness is 0
+  double secondError = 0.0;     ///< error of 1/second, 1/mm
 
   LayerPlace place() const noexcept
   {
     return { this->thickness, this->second, this->poissonRatio };
+  }
+  bool hasThicknessError() const noexcept
+  {
+    return this->thicknessError > 0.0 || this->secondError > 0.0;
+  }
+  /// The place with the thinnest layers within the errors of their thicknesses.
+  LayerPlace thinnestPlace() const noexcept
+  {
+    const auto thinner = [](double given, double error) {
+      return !(error > 0.0) ? given : given > 0.0 ? given / (1.0 + given * error) : 1.0 / error;
+    };
+    return { thinner(this->thickness, this->thicknessError),
+      thinner(this->second, this->secondError), this->poissonRatio };
   }
 };
 
@@ -52,6 +67,8 @@ struct ContactSpots
   /// Thickness of the thinnest layer below the first two, mm; 0: no stack.
   double deeperThinnest = 0.0;
   const double* complianceError = nullptr;
+  const double* thicknessError = nullptr;
+  const double* secondError = nullptr;
 
   ContactSpot at(std::size_t i) const
   {
@@ -62,9 +79,11 @@ struct ContactSpots
       pick(this->compliance, this->constant.compliance),
       pick(this->thickness, this->constant.thickness) };
     spot.complianceError = pick(this->complianceError, this->constant.complianceError);
+    spot.thicknessError = pick(this->thicknessError, this->constant.thicknessError);
     if (this->deeperThinnest > 0.0)
     {
       spot.second = pick(this->second, this->constant.second);
+      spot.secondError = pick(this->secondError, this->constant.secondError);
       spot.thinnest = std::min(
         { spot.thickness, spot.second > 0.0 ? spot.second : spot.thickness, this->deeperThinnest });
     }

@@ -95,7 +95,7 @@ StrainCorrection::Course ErrorRule::strain(const ContactSpot& spot) const
 }
 
 ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
-  const StrainCorrection::Course& strain, const LocalState& state) const
+  const StrainCorrection::Course& strain, const LocalState& state, double thickness) const
 {
   ErrorParts parts;
   this->addStrain(spot, strain, state, parts);
@@ -112,6 +112,7 @@ ErrorParts ErrorRule::at(const ContactSpot& spot, const SpotSurface& surface,
     edge =
       edge < 1.0 ? std::abs(edge - this->edgePart(spot, surface.edge, *surface.measured)) : edge;
   }
+  parts[ResponseLimit::Thickness] += thickness;
   const double local = 1.0 / (1.0 + spot.compliance * spot.reducedModulus * state.stiffness);
   for (double& part : parts.of)
   {

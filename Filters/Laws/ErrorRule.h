@@ -57,6 +57,8 @@ struct LawScope
  *   of the larger term. With a StrainCorrection it is the error of that correction. In a stack it
  *   is 1.6 times the mean over the layers; the strain of each layer follows from its fraction of
  *   the depth and the pressure on it.
+ * - Thickness: in addition the change of the force by the errors of the thicknesses of the layers
+ *   (ResponseLaw::thicknessEffect).
  * - Curvature: if the law does not include the curvature, |κ_m| times 2/3 E* a³/F, to first order
  *   for any tool, and in hollows with a second-order term. If the law includes the curvature, this
  *   term is 0. In both cases ln²(B/A)/48 of unequal curvatures and σ times 2/3 E* a³/F are added.
@@ -94,9 +96,10 @@ public:
   {
     return this->at(spot, surface, this->strain(spot), state);
   }
-  /// For many depths of one spot: `strain` is the result of strain(spot).
+  /// For many depths of one spot: `strain` is the result of strain(spot). `thickness` is the
+  /// relative change of the local force by the errors of the thicknesses.
   ErrorParts at(const ContactSpot& spot, const SpotSurface& surface,
-    const StrainCorrection::Course& strain, const LocalState& state) const;
+    const StrainCorrection::Course& strain, const LocalState& state, double thickness = 0.0) const;
   StrainCorrection::Course strain(const ContactSpot& spot) const;
 
 private:

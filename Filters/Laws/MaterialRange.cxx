@@ -9,70 +9,10 @@
 
 namespace palpate
 {
-MaterialRange::MaterialRange(LayerBase base, LayerStack stackBelow)
-  : layers{ base, Infinity, 0.0, {} }
-  , stack(std::move(stackBelow))
-  , second{ Infinity, 0.0 }
+namespace
 {
-}
-
-LayerTable::Layers MaterialRange::prepared() const
+void addRatio(double poissonRatio, std::vector<double>& ratios)
 {
-  LayerTable::Layers made = this->layers;
-  if (this->hasStack())
-  {
-    made.stack = StackKernels::shared(this->stack, { made.thinnest, made.thickest }, this->second);
-  }
-  return made;
-}
-
-void MaterialRange::add(const ContactSpot& spot)
-{
-  if (spot.thickness > 0.0)
-  {
-    this->layers.thinnest = std::min(this->layers.thinnest, spot.thickness);
-    this->layers.thickest = std::max(this->layers.thickest, spot.thickness);
-    this->addRatio(spot.poissonRatio);
-  }
-  if (spot.second > 0.0)
-  {
-    this->second.thinnest = std::min(this->second.thinnest, spot.second);
-    this->second.thickest = std::max(this->second.thickest, spot.second);
-  }
-  this->hasHalfSpace = this->hasHalfSpace || !(spot.thickness > 0.0);
-  this->leastRatio = std::min(this->leastRatio, spot.poissonRatio);
-  this->mostRatio = std::max(this->mostRatio, spot.poissonRatio);
-  this->stiffens = this->stiffens || spot.compliance < 0.0;
-  this->widen(spot);
-}
-
-void MaterialRange::join(const MaterialRange& other)
-{
-  this->layers.thinnest = std::min(this->layers.thinnest, other.layers.thinnest);
-  this->layers.thickest = std::max(this->layers.thickest, other.layers.thickest);
-  for (const double ratio : other.layers.poissonRatios)
-  {
-    this->addRatio(ratio);
-  }
-  this->second.thinnest = std::min(this->second.thinnest, other.second.thinnest);
-  this->second.thickest = std::max(this->second.thickest, other.second.thickest);
-  this->hasHalfSpace = this->hasHalfSpace || other.hasHalfSpace;
-  this->leastRatio = std::min(this->leastRatio, other.leastRatio);
-  this->mostRatio = std::max(this->mostRatio, other.mostRatio);
-  this->stiffens = this->stiffens || other.stiffens;
-  if (this->extremes.empty())
-  {
-    this->extremes = other.extremes;
-  }
-  for (const ContactSpot& spot : other.extremes)
-  {
-    this->widen(spot);
-  }
-}
-
-void MaterialRange::addRatio(double poissonRatio)
-{
-  std::vector<double>& ratios = this->layers.poissonRatios;
   if (!ratios.empty() && ratios.back() == poissonRatio)
   {
     return;
@@ -87,6 +27,98 @@ void MaterialRange::addRatio(double poissonRatio)
   {
     ratios.front() = std::min(ratios.front(), poissonRatio);
     ratios.back() = std::max(ratios.back(), poissonRatio);
+  }
+}
+
+/// Includes the layers of a place.
+void include(const LayerPlace& place, LayerTable::Layers& layers, ThicknessSpan& second)
+{
+  if (place.thickness > 0.0)
+  {
+    layers.thinnest = std::min(layers.thinnest, place.thickness);
+    layers.thickest = std::max(layers.thickest, place.thickness);
+    addRatio(place.poissonRatio, layers.poissonRatios);
+  }
+  if (place.second > 0.0)
+  {
+    second.thinnest = std::min(second.thinnest, place.second);
+    second.thickest = std::max(second.thickest, place.second);
+  }
+}
+
+/// Includes other layers.
+void include(const LayerTable::Layers& other, const ThicknessSpan& otherSecond,
+  LayerTable::Layers& layers, ThicknessSpan& second)
+{
+  layers.thinnest = std::min(layers.thinnest, other.thinnest);
+  layers.thickest = std::max(layers.thickest, other.thickest);
+  for (const double ratio : other.poissonRatios)
+  {
+    addRatio(ratio, layers.poissonRatios);
+  }
+  second.thinnest = std::min(second.thinnest, otherSecond.thinnest);
+  second.thickest = std::max(second.thickest, otherSecond.thickest);
+}
+
+LayerTable::Layers withKernels(
+  LayerTable::Layers layers, const LayerStack& stack, const ThicknessSpan& second)
+{
+  if (!stack.layers.empty())
+  {
+    layers.stack = StackKernels::shared(stack, { layers.thinnest, layers.thickest }, second);
+  }
+  return layers;
+}
+} // namespace
+
+MaterialRange::MaterialRange(LayerBase base, LayerStack stackBelow)
+  : layers{ base, Infinity, 0.0, {} }
+  , stack(std::move(stackBelow))
+  , second{ Infinity, 0.0 }
+  , uncertain(layers)
+  , uncertainSecond(second)
+{
+}
+
+LayerTable::Layers MaterialRange::prepared() const
+{
+  return withKernels(this->layers, this->stack, this->second);
+}
+
+LayerTable::Layers MaterialRange::preparedUncertain() const
+{
+  return withKernels(this->uncertain, this->stack, this->uncertainSecond);
+}
+
+void MaterialRange::add(const ContactSpot& spot)
+{
+  include(spot.place(), this->layers, this->second);
+  if (spot.hasThicknessError())
+  {
+    include(spot.thinnestPlace(), this->uncertain, this->uncertainSecond);
+  }
+  this->hasHalfSpace = this->hasHalfSpace || !(spot.thickness > 0.0);
+  this->leastRatio = std::min(this->leastRatio, spot.poissonRatio);
+  this->mostRatio = std::max(this->mostRatio, spot.poissonRatio);
+  this->stiffens = this->stiffens || spot.compliance < 0.0;
+  this->widen(spot);
+}
+
+void MaterialRange::join(const MaterialRange& other)
+{
+  include(other.layers, other.second, this->layers, this->second);
+  include(other.uncertain, other.uncertainSecond, this->uncertain, this->uncertainSecond);
+  this->hasHalfSpace = this->hasHalfSpace || other.hasHalfSpace;
+  this->leastRatio = std::min(this->leastRatio, other.leastRatio);
+  this->mostRatio = std::max(this->mostRatio, other.mostRatio);
+  this->stiffens = this->stiffens || other.stiffens;
+  if (this->extremes.empty())
+  {
+    this->extremes = other.extremes;
+  }
+  for (const ContactSpot& spot : other.extremes)
+  {
+    this->widen(spot);
   }
 }
 

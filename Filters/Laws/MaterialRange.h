@@ -28,7 +28,11 @@ public:
   /// Returns the layers. For a stack, this function also makes its kernels and includes them
   /// (StackKernels.h).
   LayerTable::Layers prepared() const;
-  /// Returns the range of bodies for the correction of finite strain.
+  /// Whether the thickness of at least one layer has an error.
+  bool isUncertain() const noexcept { return this->uncertain.thickest > 0.0; }
+  /// The layers that are possible within the errors of their thicknesses, prepared like prepared().
+  LayerTable::Layers preparedUncertain() const;
+  /// The range of bodies for the correction of finite strain.
   StrainBodies strainBodies() const;
 
   LayerTable::Layers layers; ///< if there are none, `thinnest` is infinite and `thickest` is 0
@@ -36,6 +40,10 @@ public:
   /// Thickness of the second layer of the stack, mm. If there is none, `thinnest` is infinite
   /// and `thickest` is 0.
   ThicknessSpan second;
+  /// The thinnest layers within the errors of their thicknesses (ContactSpot::thinnestPlace), of
+  /// the spots that have such an error.
+  LayerTable::Layers uncertain;
+  ThicknessSpan uncertainSecond;
   bool stiffens = false;     ///< at least one compliance is negative
   bool hasHalfSpace = false; ///< at least one point has no layer
   double leastRatio = 0.5;   ///< smallest Poisson's ratio
@@ -44,7 +52,6 @@ public:
   std::vector<ContactSpot> extremes;
 
 private:
-  void addRatio(double poissonRatio);
   void widen(const ContactSpot& spot);
 };
 } // namespace palpate

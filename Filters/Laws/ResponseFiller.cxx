@@ -152,17 +152,24 @@ ValidityRule::Answer ResponseFiller::estimated(std::size_t i, const StateAt& sta
   ResponseLimit limit = ResponseLimit::None;
   TrustedDepth trusted(static_cast<double>(this->Range), n, this->Tolerance);
   const StrainCorrection::Course strain = this->Errors->strain(spot);
+  static thread_local std::vector<double> thickness; // reused for all points of a thread
+  thickness.assign(n, 0.0);
+  if (spot.hasThicknessError())
+  {
+    this->Law.thicknessEffect(spot, thickness.data());
+  }
   for (std::size_t k = n + 1; k-- > 0;)
   {
     const LocalState state = stateAt(k);
-    ErrorParts parts = this->Errors->at(spot, surface, strain, state);
+    const std::size_t sample = k > 0 ? k - 1 : 0;
+    ErrorParts parts = this->Errors->at(spot, surface, strain, state, thickness[sample]);
     if (!fits || !state.isCovered)
     {
       parts[ResponseLimit::Curvature] = 1.0;
     }
     if (this->Measured)
     {
-      parts[ResponseLimit::DataEnd] = this->Measured->data(i, k > 0 ? k - 1 : 0);
+      parts[ResponseLimit::DataEnd] = this->Measured->data(i, sample);
     }
     const double error = parts.total();
     if (k > 0 && this->Spans.error)
@@ -200,8 +207,12 @@ MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material
 {
   const MaterialRange& bounds = material.range();
   const bool estimates = terms.errorTolerance > 0.0;
-  const PreparedLaw prepared = prepareLaw(
+  PreparedLaw prepared = prepareLaw(
     tool, range, spans.samples, bounds, terms.curvature || terms.strain || estimates, terms.strain);
+  if (estimates && bounds.isUncertain())
+  {
+    prepared.law.prepareUncertain(bounds.preparedUncertain());
+  }
   const ResponseLaw& law = prepared.law;
   const ContactSpots spots = material.spots();
   MadeResponse made;

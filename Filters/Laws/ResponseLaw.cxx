@@ -107,6 +107,30 @@ void ResponseLaw::prepareLayers(const LayerTable::Layers& layers, bool stiffenin
     makeLayerCurves(this->Tool, layers, depthsOf(this->LocalSampling, this->LocalRange));
 }
 
+void ResponseLaw::prepareUncertain(const LayerTable::Layers& layers)
+{
+  this->Uncertain = makeLayerCurves(this->Tool, layers, this->Depths);
+}
+
+void ResponseLaw::thicknessEffect(const ContactSpot& spot, double* change) const
+{
+  const LayerPlace thinnest = spot.thinnestPlace();
+  const bool isLayer = spot.thickness > 0.0;
+  if (!this->Uncertain->answers(thinnest) || (isLayer && !this->Stored->answers(spot.place())))
+  {
+    std::fill_n(change, this->Samples, 1.0);
+    return;
+  }
+  const LayerCurves::Curve stiff = this->Uncertain->sample(thinnest);
+  const LayerCurves::Curve own =
+    isLayer ? this->Stored->sample(spot.place()) : LayerCurves::Curve();
+  for (int i = 0; i < this->Samples; ++i)
+  {
+    const double force = isLayer ? own(i, 0) : this->HalfSpace.force(i);
+    change[i] = std::abs(stiff(i, 0) / force - 1.0);
+  }
+}
+
 ResponseLaw::UnitCurve ResponseLaw::layerCurve(const LayerCurves& table, const ContactSpot& spot)
 {
   const LayerCurves::Curve curve = table.sample(spot.place());

@@ -37,8 +37,11 @@ public:
   /// compliance, so that the deflection of their layer exceeds the range.
   void prepareLayers(const LayerTable::Layers& layers, bool stiffening);
 
-  /// Adds the corrections of `contact` (curvature, finite strain) to the law. `contact` must be
-  /// made for this tool and prepared for the layers.
+  /// Prepares thicknessEffect() for spots whose thinnest possible layers are within `layers`.
+  void prepareUncertain(const LayerTable::Layers& layers);
+
+  /// Adds the curvature and finite strain of `contact` to the law. `contact` must be made for this
+  /// tool and prepared for the layers.
   void correct(std::shared_ptr<const LocalContact> contact) { this->Contact = std::move(contact); }
 
   /// Writes n forces (N) and n stiffnesses (N/mm). If the spot has no curve, writes zeros and
@@ -53,6 +56,12 @@ public:
   /// As above, with the local contact at each of depths().
   ResponseStatus sample(
     const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
+
+  /// Writes the n relative changes of the force (>= 0) at the samples, for a flat body at small
+  /// strain, if the layers have the smallest thickness within their errors. The force is convex
+  /// over 1/thickness, so that the opposite change is smaller. Writes 1 if this layer is too thin
+  /// for the range. Requires prepareUncertain().
+  void thicknessEffect(const ContactSpot& spot, double* change) const;
 
   /// Depths of the samples, mm.
   const std::vector<double>& depths() const { return this->Depths; }
@@ -106,9 +115,9 @@ private:
   int Samples;
   std::vector<double> Depths;
   UnitCurve HalfSpace;
-  std::shared_ptr<const LayerCurves> Stored; ///< curves of layers, at the depths of the samples
-  /// Curves of layers, with more samples, for solving in series.
-  std::shared_ptr<const LayerCurves> Local;
+  std::shared_ptr<const LayerCurves> Stored;    ///< layers, at the depths of the samples
+  std::shared_ptr<const LayerCurves> Uncertain; ///< the thinnest possible layers
+  std::shared_ptr<const LayerCurves> Local; ///< layers, with more samples, for solving in series
   ResponseSampling LocalSampling;
   double LocalRange;
   std::shared_ptr<const LocalContact> Contact; ///< corrections; null: none

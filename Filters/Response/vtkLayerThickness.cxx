@@ -2,6 +2,7 @@
 #include "vtkLayerThickness.h"
 
 #include "Response/Bodies/BaseDepth.h"
+#include "Response/Bodies/BaseNeighbours.h"
 #include "Contact/ResponseContract.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/FilterStage.h"
@@ -14,7 +15,6 @@
 #include "vtkImageInterpolator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -38,8 +38,6 @@ vtkStandardNewMacro(vtkLayerThickness);
 namespace
 {
 constexpr double SamplesPerVoxel = 4.0;
-/// Cosine of 60°: the median excludes points whose normals are at a larger angle.
-constexpr double LargestTurn = 0.5;
 constexpr double MostSamples = 1e6; // largest number of samples per ray
 constexpr int ThicknessBlocks = 10;
 constexpr float NotFound = std::numeric_limits<float>::infinity();
@@ -57,20 +55,7 @@ double LargestSpacing(vtkImageData* scan)
   return std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
-/** Positions and normals of a body's points. */
-struct Surface
-{
-  vtkPoints* points;
-  const float* normals;
-  vtkStaticPointLocator* locator;
-
-  double cosine(vtkIdType a, vtkIdType b) const
-  {
-    return static_cast<double>(vtkMath::Dot(this->normals + 3 * a, this->normals + 3 * b));
-  }
-};
-
-/** Finds the base under a point from the values of the scan along a ray into the body. */
+/** Reads the scan along rays into the body. */
 class Rays
 {
 public:
@@ -134,38 +119,13 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether a point of the surface within `reach` of a place has a normal at more than 90 degrees to
- * the normal of point `i`. */
-bool LeavesBody(
-  const Surface& surface, vtkIdType i, const double place[3], double reach, vtkIdList* near)
+/** Whether a surface that faces away from the normal of point `i` is within `reach` of a place. */
+bool LeavesBody(const palpate::NormalSurface& surface, vtkIdType i, const double place[3],
+  double reach, vtkIdList* near)
 {
   surface.locator->FindPointsWithinRadius(reach, place, near);
   return std::any_of(
     near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
-}
-
-/** Median of the depths around point `i`, including the depth at the point itself. */
-float MedianAround(const Surface& surface, vtkIdType i, const std::vector<float>& depth,
-  double radius, vtkIdList* near, std::vector<float>& found)
-{
-  double point[3];
-  surface.points->GetPoint(i, point);
-  surface.locator->FindPointsWithinRadius(radius, point, near);
-  found.clear();
-  for (const vtkIdType j : *near)
-  {
-    if (surface.cosine(i, j) > LargestTurn)
-    {
-      found.push_back(depth[static_cast<std::size_t>(j)]);
-    }
-  }
-  if (found.empty())
-  {
-    return NotFound; // the point has no normal
-  }
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  return *middle;
 }
 
 /** Runs a loop over `count` points in blocks. Returns false if aborted. */
@@ -318,7 +278,7 @@ int vtkLayerThickness::RequestData(
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(body);
   locator->BuildLocator();
-  const Surface surface{ body->GetPoints(), normals->GetPointer(0), locator };
+  const palpate::NormalSurface surface{ body->GetPoints(), normals->GetPointer(0), locator };
   const Rays findBase(scan, grey, this->MaximumDepth, this->EdgeWidth, this->BaseValue);
 
   // Find the base under each point.
@@ -326,7 +286,7 @@ int vtkLayerThickness::RequestData(
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<std::vector<double>> samples;
   vtkSMPThreadLocal<std::vector<float>> neighbours;
-  const bool read = ForAll(count, { this, 0.0, 0.5 },
+  const bool read = ForAll(count, { this, 0.0, 0.4 },
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<double>& profile = samples.Local();
@@ -349,27 +309,44 @@ int vtkLayerThickness::RequestData(
       }
     });
 
-  // Take the median around each point.
+  // Combine the depths around each point. Without neighbours each point keeps its own depth.
+  const palpate::BaseNeighbours around(surface, this->SmoothingRadius);
+  std::vector<float> medians = depth;
+  const bool smoothed = read &&
+    (this->SmoothingRadius == 0.0 ||
+      ForAll(count, { this, 0.4, 0.7 },
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType i = first; i < last; ++i)
+          {
+            medians[static_cast<std::size_t>(i)] =
+              around.median(i, depth, lists.Local(), neighbours.Local());
+          }
+        }));
   vtkNew<vtkFloatArray> thickness;
   thickness->SetName("LayerThickness");
   thickness->SetNumberOfTuples(count);
-  const bool done = read &&
-    ForAll(count, { this, 0.5, 1.0 },
+  vtkNew<vtkFloatArray> error;
+  error->SetName("LayerThicknessError");
+  error->SetNumberOfTuples(count);
+  const double depthError = 0.5 * LargestSpacing(scan);
+  const bool done = smoothed &&
+    ForAll(count, { this, 0.7, 1.0 },
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          const float median = this->SmoothingRadius > 0.0
-            ? MedianAround(
-                surface, i, depth, this->SmoothingRadius, lists.Local(), neighbours.Local())
-            : depth[static_cast<std::size_t>(i)];
-          thickness->SetValue(i, std::isfinite(median) ? median : 0.0F);
+          const palpate::InverseDepth found =
+            around.mean(i, depth, medians, this->MaximumDepth, depthError, lists.Local());
+          thickness->SetValue(i, found.value > 0.0 ? static_cast<float>(1.0 / found.value) : 0.0F);
+          error->SetValue(i, static_cast<float>(found.error));
         }
       });
   if (done)
   {
     output->ShallowCopy(body);
     output->GetPointData()->AddArray(thickness);
+    output->GetPointData()->AddArray(error);
     sound.giveBack(output);
   }
   return 1;

@@ -9,9 +9,12 @@
  * bright in soft tissue and dark in the base (input array 0 to process; default: the active
  * scalars).
  *
- * Output: the body with the point array `LayerThickness` (float, mm), 0 where no base was found. It
- * is array to process 1 of vtkToolContactResponse, for which 0 is a half-space. All other data pass
- * through.
+ * Output: the body with two point arrays. All other data pass through.
+ * - `LayerThickness` (float, mm), 0 where no base was found. It is array to process 1 of
+ *   vtkToolContactResponse, for which 0 is a half-space.
+ * - `LayerThicknessError` (float, 1/mm, > 0): the error of 1/LayerThickness, where 1/LayerThickness
+ *   of a half-space is 0. vtkToolContactResponse finds it by its name, and adds the change of the
+ *   force by this error to the stated error.
  *
  * The steps: (1) From each point a ray goes inward along the normal to MaximumDepth. It reads the
  * scan every quarter of the smallest spacing (trilinear interpolation). (2) The base is the first
@@ -20,9 +23,17 @@
  * mean of the brightest and the darkest value within EdgeWidth. (3) A base is rejected if, within
  * EdgeWidth of it, the surface faces the other way: the ray has left the body, as through an ear.
  * (4) The median is taken over the points within SmoothingRadius whose normals turn by less than
- * 60°. A point without base counts as infinitely deep, so the majority decides whether a base
- * exists. A ray ends where the scan ends or is not finite. Points of the body that are not finite
- * are an error.
+ * 60°. A point without base counts as infinitely deep. Specks and holes that cover less than half
+ * of this area thus disappear. (5) Of the medians the mean of 1/thickness is taken over the same
+ * points, with a weight that falls to 0 at SmoothingRadius. A contact is stiffened by
+ * the base around it; to first order its force depends on this mean. If the mean is less than
+ * 1/MaximumDepth, the point has no base. A ray ends where the scan ends or is not finite. Points of
+ * the body that are not finite are an error.
+ *
+ * The error of 1/thickness is the sum of three parts: the standard deviation of the medians that
+ * enter the mean, the difference of this mean from the mean without the medians, and half of the
+ * largest spacing divided by the square of the thickness. A point without base has an error of at
+ * least 1/MaximumDepth, because a base may be just below MaximumDepth.
  *
  * Accuracy, on sharp edges blurred by voxels: a tenth of a voxel. On a head it is that of the scan:
  * fat is shifted relative to water along the read-out axis, typically by up to a voxel.
@@ -32,8 +43,8 @@
  *   cortical bone has 10 to 25, the eyes 38, muscle 60 and more.
  *
  * @warning
- * Step 3 has an effect only if the points of the body are closer together than EdgeWidth; step 4
- * only if they are closer together than SmoothingRadius.
+ * Step 3 has an effect only if the points of the body are closer together than EdgeWidth; steps 4
+ * and 5 only if they are closer together than SmoothingRadius.
  *
  * Cost: Colin 27 at 0.6 mm, 426 thousand points: 6.5 s on one core. A third of it is for the rays,
  * the rest for the median, whose cost grows with the number of points within SmoothingRadius.
@@ -98,7 +109,7 @@ public:
   ///@}
 
   ///@{
-  /** Radius of the neighbourhood over which the median is taken, mm; 0: no median. Default 3. */
+  /** Radius of the points over which median and mean are taken, mm; 0: neither. Default 3. */
   vtkSetMacro(SmoothingRadius, double);
   vtkGetMacro(SmoothingRadius, double);
   ///@}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodyCache.h"
 
+#include "Contact/ResponseContract.h"
 #include "Response/BodyLaws.h"
 #include "Response/FlatBodyConversion.h"
 #include "ResponseSet.h"
@@ -10,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -20,8 +22,19 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
-constexpr double CacheDepth = 2.0; // mm; the value has no effect
-const char* const Thickness = "LayerThickness";
+constexpr double CacheDepth = 2.0; // mm; any value is possible
+
+/// A point array of a body, and the array of the cached response that holds it.
+struct CarriedArray
+{
+  const char* name;
+  ResponseArray carrier;
+};
+// Arrays of one float per point, whose values are not used.
+constexpr std::array<CarriedArray, 2> Carried = { {
+  { "LayerThickness", ResponseArray::Validity },
+  { "LayerThicknessError", ResponseArray::Range },
+} };
 
 /// Returns the path of the cache file for this scan, or "" if no cache folder is possible.
 std::string cacheFile(const std::string& path, const BodyFileOptions& options)
@@ -38,7 +51,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
       << '|' << options.contourValue << '|' << options.closingRadius
-      << "|placed by the header"; // skins of earlier versions were not placed by the header
+      << "|placed by the header"    // skins of earlier versions were not placed by the header
+      << "|error of the thickness"; // nor did they have this array
   if (options.baseValue)
   {
     key << "|bone below " << *options.baseValue;
@@ -46,8 +60,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   return cachePlace("skin", key.str(), ".palpate");
 }
 
-/// Makes the normals of the response the active normals. With `thickness`, makes its validity the
-/// thickness array. Removes the response itself.
+/// Makes the normals of the response the active normals. With `thickness`, makes the arrays of the
+/// response that hold the thickness and its error arrays of the body. Removes the response itself.
 vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness)
 {
   auto body = vtkSmartPointer<vtkPolyData>::New();
@@ -56,19 +70,21 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
     cached->GetPointData()->GetArray((std::string(CacheResponse) + "Normal").c_str());
   normals->SetName("Normals");
   body->GetPointData()->SetNormals(normals);
-  if (thickness)
+  for (const CarriedArray& array : Carried)
   {
-    vtkDataArray* layer =
-      cached->GetPointData()->GetArray((std::string(CacheResponse) + "Validity").c_str());
-    layer->SetName(Thickness);
-    body->GetPointData()->AddArray(layer);
+    vtkDataArray* carrier =
+      cached->GetPointData()->GetArray(arrayName(CacheResponse, array.carrier).c_str());
+    if (thickness)
+    {
+      carrier->SetName(array.name);
+      body->GetPointData()->AddArray(carrier);
+    }
   }
   return body;
 }
 
-/// Stores a body in the flat file format. The format requires a response, so the body gets one,
-/// which is never used. The validity of this response, a length per point, holds the thickness of
-/// the layer.
+/// Stores a body in the flat file format, which requires a response. The response itself is not
+/// used. Some of its arrays hold arrays of the body.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);
@@ -85,13 +101,15 @@ std::string store(vtkPolyData* body, const std::string& file)
   vtkNew<vtkPolyData> made;
   std::string warning;
   const std::string error = attachResponse(Ranks(), body, request, {}, made, warning);
-  if (vtkDataArray* thickness = body->GetPointData()->GetArray(Thickness))
+  for (const CarriedArray& array : Carried)
   {
-    const std::string place = std::string(CacheResponse) + "Validity";
-    vtkNew<vtkFloatArray> carried;
-    carried->DeepCopy(thickness);
-    carried->SetName(place.c_str());
-    made->GetPointData()->AddArray(carried);
+    if (vtkDataArray* given = body->GetPointData()->GetArray(array.name))
+    {
+      vtkNew<vtkFloatArray> carried;
+      carried->DeepCopy(given);
+      carried->SetName(arrayName(CacheResponse, array.carrier).c_str());
+      made->GetPointData()->AddArray(carried);
+    }
   }
   return error.empty() ? writeFlatBody(made, CacheResponse, file) : error;
 }

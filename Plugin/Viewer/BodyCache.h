@@ -19,8 +19,8 @@ std::string makeCacheFolder(const std::string& file);
 /**
  * Reads a body file as readBodyFile does, and caches the skin of a scan, which takes seconds to
  * compute. The cache is a flat body file in $XDG_CACHE_HOME/palpate (or ~/.cache/palpate). Its name
- * depends on the path, size and modification time of the scan and on the options. The body,
- * including LayerThickness, is identical bit by bit with and without the cache. A cache that cannot
+ * depends on the path, size and modification time of the scan and on the options. The body has the
+ * same bits with and without the cache, including LayerThickness and its error. A cache that cannot
  * be read or written is not an error; a note reports it.
  */
 BodyFileResult readCachedScan(const std::string& path, const BodyFileOptions& options);

@@ -21,7 +21,7 @@
 
 namespace
 {
-/** Adds LayerThickness, in the file's unit of length, to the skin of a scan. */
+/** Adds LayerThickness and its error, in the file's unit of length, to the skin of a scan. */
 vtkSmartPointer<vtkPolyData> withThickness(
   vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
 {
@@ -58,10 +58,10 @@ vtkSmartPointer<vtkPolyData> skinOf(
   return skin->GetOutput();
 }
 
-/** Converts a body's thickness from the file's unit of length to millimetres. */
-void scaleThickness(vtkPolyData* body, double factor)
+/** Multiplies a point array of a body, if the body has it. */
+void scaleArray(vtkPolyData* body, const char* name, double factor)
 {
-  vtkDataArray* given = body->GetPointData()->GetArray("LayerThickness");
+  vtkDataArray* given = body->GetPointData()->GetArray(name);
   if (!given || factor == 1.0)
   {
     return;
@@ -126,7 +126,9 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
     const std::string& reason = complaints->reason();
     return palpate::joined("holds no triangles", reason.empty() ? "" : ": ", reason);
   }
-  scaleThickness(body, options.lengthScale);
+  // The file's unit of length becomes the millimetre.
+  scaleArray(body, "LayerThickness", options.lengthScale);
+  scaleArray(body, "LayerThicknessError", 1.0 / options.lengthScale);
   for (int i = 0; i < surface->GetNumberOfNotes(); ++i)
   {
     result.notes.push_back(surface->GetNote(i));

@@ -44,33 +44,48 @@ vtkDataArray* scannedThickness(const ViewerScene& scene)
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
 }
 /// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and
-/// LayerThickness1. Where the scan shows no bone, bone is assumed at the maximum depth of the
-/// search. The layer of given thickness gets at most half of the tissue.
+/// LayerThickness1, each with its error. Where the scan shows no bone, bone is assumed at the
+/// maximum depth of the search. The layer of given thickness gets at most half of the tissue.
 void splitTissue(ViewerScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
   vtkNew<vtkLayerThickness> settings;
   const std::size_t other = 1 - scene.layer.scannedLayer;
   const double given = scene.layer.stack.layers[other].thickness;
-  std::array<vtkSmartPointer<vtkFloatArray>, 2> parts;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  const auto body = vtkSmartPointer<vtkPolyData>::New();
+  body->ShallowCopy(scene.body);
+  const auto addArray = [&](std::size_t layer, const char* ending)
   {
-    parts[i] = vtkSmartPointer<vtkFloatArray>::New();
-    parts[i]->SetName(i == 0 ? "LayerThickness0" : "LayerThickness1");
-    parts[i]->SetNumberOfTuples(tissue->GetNumberOfTuples());
-  }
+    const auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(joined("LayerThickness", layer, ending).c_str());
+    array->SetNumberOfTuples(tissue->GetNumberOfTuples());
+    body->GetPointData()->AddArray(array);
+    return array;
+  };
+  const std::array<vtkSmartPointer<vtkFloatArray>, 2> parts = { addArray(0, ""), addArray(1, "") };
+  const std::array<vtkSmartPointer<vtkFloatArray>, 2> errors = { addArray(0, "Error"),
+    addArray(1, "Error") };
+  vtkDataArray* error = scene.body->GetPointData()->GetArray("LayerThicknessError");
+  const auto split = [&](double whole)
+  {
+    std::array<double, 2> layers{};
+    layers[other] = std::min(given, 0.5 * whole);
+    layers[scene.layer.scannedLayer] = whole - layers[other];
+    return layers;
+  };
   for (vtkIdType p = 0; p < tissue->GetNumberOfTuples(); ++p)
   {
     const double found = tissue->GetTuple1(p);
     const double whole = found > 0.0 ? found : settings->GetMaximumDepth();
-    const double own = std::min(given, 0.5 * whole);
-    parts[other]->SetValue(p, static_cast<float>(own));
-    parts[scene.layer.scannedLayer]->SetValue(p, static_cast<float>(whole - own));
+    const std::array<double, 2> layers = split(whole);
+    const std::array<double, 2> thinnest =
+      split(whole / (1.0 + whole * (error ? error->GetTuple1(p) : 0.0)));
+    for (std::size_t i = 0; i < layers.size(); ++i)
+    {
+      parts[i]->SetValue(p, static_cast<float>(layers[i]));
+      errors[i]->SetValue(p, static_cast<float>(1.0 / thinnest[i] - 1.0 / layers[i]));
+    }
   }
-  const auto body = vtkSmartPointer<vtkPolyData>::New();
-  body->ShallowCopy(scene.body);
-  body->GetPointData()->AddArray(parts[0]);
-  body->GetPointData()->AddArray(parts[1]);
   scene.body = body;
 }
 

@@ -129,15 +129,23 @@ std::string readMaterial(vtkPolyData* body, const MaterialArrays& arrays, BodyMa
       readValues(arrays[index].name, arrays[index].array, *wanted[index]);
     }
   }
-  const std::string errorName = values.compliance.name + "Error";
-  vtkDataArray* error =
-    values.compliance.values.empty() ? nullptr : body->GetPointData()->GetArray(errorName.c_str());
-  if (wrong.empty() && error)
+  const std::array<std::pair<const PointValues*, PointValues*>, 3> errors = { {
+    { &values.compliance, &values.complianceError },
+    { &values.thickness, &values.thicknessError },
+    { &values.second, &values.secondError },
+  } };
+  for (const auto& [given, errorOf] : errors)
   {
-    wrong = checkPointArray({ errorName, error }, 0, points);
-    if (wrong.empty())
+    const std::string name = given->name + "Error";
+    vtkDataArray* error =
+      given->values.empty() ? nullptr : body->GetPointData()->GetArray(name.c_str());
+    if (wrong.empty() && error)
     {
-      readValues(errorName, error, values.complianceError);
+      wrong = checkPointArray({ name, error }, 0, points);
+      if (wrong.empty())
+      {
+        readValues(name, error, *errorOf);
+      }
     }
   }
   return wrong.empty() ? material.take(std::move(values), static_cast<std::size_t>(points)) : wrong;
@@ -154,18 +162,25 @@ void agreeOnRange(const Ranks& ranks, bool hasPiece, BodyMaterial& material)
     : MaterialRange(material.range().layers.base, material.range().stack);
   MaterialRange whole(own.layers.base, own.stack);
   const auto ratios = ranks.gather(own.layers.poissonRatios);
+  const auto uncertainRatios = ranks.gather(own.uncertain.poissonRatios);
   const auto extremes = ranks.gather(own.extremes);
   for (std::size_t rank = 0; rank < ratios.size(); ++rank)
   {
     MaterialRange piece(own.layers.base);
     piece.layers.poissonRatios = ratios[rank];
+    piece.uncertain.poissonRatios = uncertainRatios[rank];
     piece.extremes = extremes[rank];
     whole.join(piece);
   }
-  whole.layers.thinnest = ranks.smallest(own.layers.thinnest);
-  whole.layers.thickest = ranks.largest(own.layers.thickest);
-  whole.second.thinnest = ranks.smallest(own.second.thinnest);
-  whole.second.thickest = ranks.largest(own.second.thickest);
+  const auto agree = [&ranks](const auto& piece, auto& all)
+  {
+    all.thinnest = ranks.smallest(piece.thinnest);
+    all.thickest = ranks.largest(piece.thickest);
+  };
+  agree(own.layers, whole.layers);
+  agree(own.second, whole.second);
+  agree(own.uncertain, whole.uncertain);
+  agree(own.uncertainSecond, whole.uncertainSecond);
   whole.stiffens = ranks.any(own.stiffens);
   whole.hasHalfSpace = ranks.any(own.hasHalfSpace);
   whole.leastRatio = ranks.smallest(own.leastRatio);

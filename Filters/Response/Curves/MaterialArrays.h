@@ -26,8 +26,8 @@ class Ranks;
 /// A point array of a body that replaces a constant of the material. Its index: 0 Young's modulus,
 /// 1 layer thickness, 2 global compliance, 3 Poisson's ratio, 4 thickness of a stack's second
 /// layer. The name is empty if no array is requested. The array is null if it is requested but
-/// missing. The array named after the compliance array, followed by `Error`, is the error of the
-/// compliance, if present.
+/// missing. If there is an array named after the compliance array, followed by `Error`, it is the
+/// error of the compliance; named after a thickness array, the error of 1/thickness (1/mm).
 struct MaterialArray
 {
   std::string name;

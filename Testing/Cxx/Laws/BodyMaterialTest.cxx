@@ -86,6 +86,10 @@ TEST(BodyMaterial, AWrongValueIsNamedWithItsPoint)
   values = {};
   values.compliance = { "C", { 1.0, std::numeric_limits<double>::infinity() } };
   expectNames(take(Usual, values, 2), { "'C'", "point 1", "inf" });
+  values = {};
+  values.thickness = { "h", { 1.0, 2.0 } };
+  values.thicknessError = { "hError", { 0.1, -0.2 } };
+  expectNames(take(Usual, values, 2), { "'hError'", "point 1", "-0.2", "1/mm" });
 }
 
 TEST(BodyMaterial, ABaseIsNotCountedTwice)

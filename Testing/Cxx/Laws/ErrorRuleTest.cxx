@@ -73,6 +73,20 @@ TEST_F(ErrorOfALaw, StrainIsThatOfThePressure)
     this->parts({}, state)[ResponseLimit::Strain], smallStrainError(pressure, 0.45, 0.0, 0.0));
 }
 
+/// The fraction of the local part of the series is 1/(1 + C E* k).
+TEST_F(ErrorOfALaw, AnUncertainThicknessIsAPartOfTheLocalForce)
+{
+  const LocalState state = this->stateAt(0.3);
+  const ErrorRule rule(*this->Tool, { false, nullptr, Wide, 0.0 });
+  for (const double compliance : { 0.0, 2.0 })
+  {
+    const ContactSpot spot{ 0.5, 0.45, compliance, 0.0 };
+    const auto partOf = [&](double thickness)
+    { return rule.at(spot, {}, rule.strain(spot), state, thickness)[ResponseLimit::Thickness]; };
+    EXPECT_NEAR(partOf(0.2) - partOf(0.0), 0.2 / (1.0 + compliance * 0.5 * state.stiffness), 1e-15);
+  }
+}
+
 TEST_F(ErrorOfALaw, InSeriesTheLocalPartCounts)
 {
   const LocalState state = this->stateAt(0.3);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace palpate;
@@ -18,6 +19,9 @@ void expectSame(const MaterialRange& one, const MaterialRange& other)
   EXPECT_EQ(one.layers.thinnest, other.layers.thinnest);
   EXPECT_EQ(one.layers.thickest, other.layers.thickest);
   EXPECT_EQ(one.layers.poissonRatios, other.layers.poissonRatios);
+  EXPECT_EQ(one.uncertain.thinnest, other.uncertain.thinnest);
+  EXPECT_EQ(one.uncertain.thickest, other.uncertain.thickest);
+  EXPECT_EQ(one.uncertain.poissonRatios, other.uncertain.poissonRatios);
   EXPECT_EQ(one.stiffens, other.stiffens);
   ASSERT_EQ(one.extremes.size(), other.extremes.size());
   for (std::size_t i = 0; i < one.extremes.size(); ++i)
@@ -64,7 +68,8 @@ TEST(MaterialRange, PiecesJoinToTheWhole)
     MaterialRange own(LayerBase::Bonded);
     for (int i = 0; i < 6; ++i)
     {
-      const ContactSpot spot{ 0.1, 0.25 + 0.2 * any(random), any(random), 2.0 + any(random) };
+      ContactSpot spot{ 0.1, 0.25 + 0.2 * any(random), any(random), 2.0 + any(random) };
+      spot.thicknessError = std::max(0.0, any(random));
       whole.add(spot);
       own.add(spot);
     }
@@ -73,6 +78,25 @@ TEST(MaterialRange, PiecesJoinToTheWhole)
   expectSame(joined, whole);
   joined.join(MaterialRange(LayerBase::Bonded)); // a process without points
   expectSame(joined, whole);
+}
+
+/// 1/h of 2 mm and of a half-space, each with an error of 0.3/mm: 0.8/mm and 0.3/mm.
+TEST(MaterialRange, ErrorsOfThicknessesHaveARangeOfTheirOwn)
+{
+  MaterialRange range(LayerBase::Bonded);
+  ContactSpot spot{ 0.1, 0.45, 0.0, 5.0 };
+  range.add(spot);
+  EXPECT_FALSE(range.isUncertain());
+  spot.thicknessError = 0.3;
+  spot.thickness = 2.0;
+  range.add(spot);
+  spot.thickness = 0.0;
+  range.add(spot);
+  ASSERT_TRUE(range.isUncertain());
+  EXPECT_DOUBLE_EQ(range.uncertain.thinnest, 1.0 / 0.8);
+  EXPECT_DOUBLE_EQ(range.uncertain.thickest, 1.0 / 0.3);
+  EXPECT_EQ(range.layers.thinnest, 2.0);
+  EXPECT_EQ(range.layers.thickest, 5.0);
 }
 
 TEST(MaterialRange, OfManyRatiosTheRangeIsKept)

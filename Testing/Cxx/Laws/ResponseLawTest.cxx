@@ -2,6 +2,7 @@
 // The stored law of a tool against Hertz's closed form, alone and with a compliance in series.
 #include "Laws/ResponseLaw.h"
 
+#include "Mechanics/Layers/LayerContact.h"
 #include "Paraboloid.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +102,43 @@ TEST(ResponseLaw, AThickLayerIsAHalfSpaceAndAThinOneIsOutOfReach)
   // The first term of the layer's series is of the order of a/h, which is 3e-5.
   EXPECT_NEAR(static_cast<double>(thick.force.back()), force, 1e-4 * force);
   EXPECT_EQ(sample(law, { 0.06, 0.45, 0.0, 0.01 }).status, ResponseStatus::OutOfReach);
+}
+
+/// The relative difference of two forces, each from its own solution of a layer.
+TEST(ResponseLaw, AnErrorOfTheThicknessChangesTheForceAsAThinnerLayerDoes)
+{
+  const Paraboloid paraboloid;
+  const auto tool = paraboloid.make();
+  ResponseLaw law(*tool, Range, SampleCount);
+  law.prepareLayers({ LayerBase::Bonded, 4.0, 20.0, { 0.45 } }, false);
+  law.prepareUncertain({ LayerBase::Bonded, 0.01, 20.0, { 0.45 } });
+  const auto kernel = LayerKernel::shared(0.45, LayerBase::Bonded);
+  const auto forceAt = [&](double thickness, int sample)
+  {
+    return thickness > 0.0
+      ? LayerContact(*tool, kernel, thickness).evaluate(depthOf(sample), 1.0).force
+      : paraboloid.force(depthOf(sample), 1.0);
+  };
+  std::array<double, SampleCount> change{};
+  ContactSpot spot{ 0.06, 0.45, 0.0, 8.0 };
+  const auto expectChange = [&](double thinner)
+  {
+    law.thicknessEffect(spot, change.data());
+    for (int i = 0; i < SampleCount; ++i)
+    {
+      const double expected = forceAt(thinner, i) / forceAt(spot.thickness, i) - 1.0;
+      EXPECT_GT(expected, 0.0);
+      // Both tables agree with LayerContact to 1e-7 of the force.
+      EXPECT_NEAR(change[static_cast<std::size_t>(i)], expected, 4e-7);
+    }
+  };
+  spot.thicknessError = 1.0 / 8.0;
+  expectChange(4.0);
+  spot.thickness = 0.0;
+  expectChange(8.0);
+  spot.thicknessError = 100.0; // a hundredth of a millimetre: too thin for the range
+  law.thicknessEffect(spot, change.data());
+  EXPECT_EQ(change.front(), 1.0);
 }
 
 TEST(ResponseLaw, ContactRadiusAndTotalDeflection)

@@ -2,6 +2,7 @@
 // vtkLayerThickness on scans of known thickness: balls, slabs, plates; dark regions that are not a
 // base; errors.
 #include "FilterChecks.h"
+#include "MadeScan.h"
 #include "TestBodies.h"
 
 #include "vtkAppendPolyData.h"
@@ -12,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkShortArray.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 
@@ -25,46 +25,9 @@ namespace
 {
 using namespace palpate::testing;
 
-constexpr double Air = 2.0;
-constexpr double Bone = 18.0;
-constexpr double Muscle = 60.0;
-constexpr double Fat = 120.0;
-constexpr double Blur = 2.0; // mm, width of an edge in the scan: two voxels
-
-/// A tenth of a voxel of 1 mm. Trilinear interpolation rounds the corners of a blurred edge by
-/// second differences of (Fat - Bone)/Blur per voxel: at most 1/8 of the change of the grey value
-/// per voxel.
+/// A tenth of a voxel of 1 mm. Trilinear interpolation rounds off the corners of a blurred edge, by
+/// second differences of (Fat - Bone)/Blur per voxel: at most 1/8 of the step in grey per voxel.
 constexpr double Tolerance = 0.1;
-
-/// A scan with the grey values grey(x, y, z), stored as shorts as in MRI.
-using Grey = std::function<double(const double[3])>;
-vtkSmartPointer<vtkImageData> scanOf(const Grey& grey, double half, double spacing = 1.0)
-{
-  auto scan = vtkSmartPointer<vtkImageData>::New();
-  const int size = 2 * static_cast<int>(std::ceil(half / spacing)) + 1;
-  scan->SetDimensions(size, size, size);
-  scan->SetSpacing(spacing, spacing, spacing);
-  // offset, so that no voxel is at the origin
-  const double origin = -0.5 * spacing * (size - 1) + 0.3;
-  scan->SetOrigin(origin, origin, origin);
-  vtkNew<vtkShortArray> values;
-  values->SetName("Grey");
-  values->SetNumberOfTuples(scan->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < scan->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    scan->GetPoint(i, x);
-    values->SetValue(i, static_cast<short>(std::lround(grey(x))));
-  }
-  scan->GetPointData()->SetScalars(values);
-  return scan;
-}
-
-/// The value from `low` to `high` across a blurred edge at x = 0.
-double edge(double x, double low, double high)
-{
-  return low + (high - low) * std::clamp(x / Blur + 0.5, 0.0, 1.0);
-}
 
 double length(const double x[3])
 {
