@@ -20,7 +20,8 @@
  *   force exceeds them, and shrink if for 3 s of contact all forces along the trail have been below
  *   a third of them. For 3 s after a change the picture says "scale changed".
  * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
- *   different applied force, and the limit of validity.
+ *   different applied force, and the limit of validity. For a replayed record it names the setup
+ *   of the record, or how that differs from the present one.
  *
  * For a session with several devices, the tools, arrows, circles and dents of all are drawn, and
  * the caption has a line for each device. Trail, camera and the values below are those of the first
@@ -119,6 +120,13 @@ public:
 
   /** Last line of the caption; it appears with the next shown contact. Default none. */
   void SetRemark(const std::string& remark);
+
+  ///@{
+  /** A line of the caption about the work in progress, above the remark; it appears with the next
+   * shown tick of a session. Default none. */
+  vtkSetMacro(Notice, std::string);
+  vtkGetMacro(Notice, std::string);
+  ///@}
 
   ///@{
   /** Whether the contact circle, and the trail with its legend, are drawn. A change takes effect
@@ -232,6 +240,7 @@ private:
   unsigned long RenderObserver = 0;
   vtkSmartPointer<vtkPolyData> BodyData;
   std::string ResponseName = "Response";
+  std::string Notice;
   vtkSmartPointer<vtkFrameClock> Clock;
   vtkSmartPointer<vtkHapticSession> Followed;
   unsigned long FrameObserver = 0;

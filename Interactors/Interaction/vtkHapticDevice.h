@@ -55,6 +55,7 @@ class vtkPolyData;
 namespace palpate
 {
 class HapticDevice;
+class RecordedSetups;
 class WorkspaceMapping;
 struct ContactBody;
 } // namespace palpate
@@ -84,6 +85,8 @@ public:
   bool IsPhysical();
   /** Whether it follows SetPath, or SteerTo with RealTime: true for "simulated" and "plant". */
   bool IsSimulated();
+  /** Whether it plays a recorded trajectory, "replay:FILE". */
+  bool IsReplay();
 
   ///@{
   /** Position of the device's origin in the body, mm. Default 0, 0, 0. */
@@ -160,6 +163,9 @@ public:
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
+  /** The setups of a replayed file, by its times from its first row on; empty for other devices. */
+  const palpate::RecordedSetups& GetRecordedSetups();
+
   /** Uses a device given by the caller. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 

@@ -312,7 +312,8 @@ std::string HapticWindow::writeRecords()
   if (!this->Options.record.empty())
   {
     const std::string failed =
-      writeTrajectory(this->Options.record, this->Session->GetRecorder()->GetTicks());
+      writeTrajectory(this->Options.record, this->Session->GetRecorder()->GetTicks(),
+        this->Session->GetRecorder()->GetSetups());
     error += (error.empty() || failed.empty() ? "" : "; ") + failed;
   }
   return error;

@@ -7,6 +7,7 @@
 #include "ModelChoice.h"
 #include "Pictures.h"
 #include "Interaction/Display/MemoryText.h"
+#include "Interaction/Session/SessionSetup.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -104,6 +105,26 @@ std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
   return "At " + momentInWords(shown) + "; " + force.data();
 }
 
+/// Compares the setup of a replayed record at a time (s) with that of the session. "" without a
+/// replay.
+std::string replayRemark(vtkHapticSession* session, double time = 0.0)
+{
+  return session->GetDevice()->IsReplay()
+    ? replayInWords(session->GetDevice()->GetRecordedSetups(), time, session->GetSetup())
+    : std::string();
+}
+
+/// "; the record changes them at 1.5 s, 3 s"; "" without a change.
+std::string changesOf(const RecordedSetups& setups)
+{
+  std::string times;
+  for (std::size_t i = 1; i < setups.all().size(); ++i)
+  {
+    times += joined(i > 1 ? ", " : "; the record changes this at ", setups.all()[i].time, " s");
+  }
+  return times;
+}
+
 void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const ResponseSet& responses, const ModelChoice& choice, vtkHapticSession* session,
   const std::string& stiffening, const std::string& pictured)
@@ -137,6 +158,13 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   }
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
+  const std::string replay = replayRemark(session);
+  if (!replay.empty())
+  {
+    constexpr std::size_t key = 8; // "Replay: "
+    std::printf("  replay      %s%s\n", replay.c_str() + key,
+      changesOf(session->GetDevice()->GetRecordedSetups()).c_str());
+  }
   const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
   const Tick* peak = peakOf(ticks);
   std::printf("  peak        force %.4g N, deflection %.4g mm%s\n", value("PeakForce (N)"),
@@ -150,10 +178,11 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   {
     std::printf("  relaxation  %s\n", memory.c_str());
   }
-  const std::string friction = describeFriction(options, scene);
-  if (!friction.empty())
+  const FrictionSettings& friction = session->GetSettings()->GetKernel().friction;
+  if (friction.coefficient != 0.0)
   {
-    std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
+    std::printf("  friction    %s; peak %.4g N\n", frictionInWords(friction).c_str(),
+      value("PeakFriction (N)"));
   }
   const std::string trust = describeTrust(responses.body, ticks, scene.terms.errorTolerance,
     [&](const Tick& tick) { return causeOfError(scene, responses, tick); });
@@ -242,10 +271,11 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
-  error = writeTrajectory(options.output + "/trajectory.csv", ticks);
+  const RecordedSetups& setups = session->GetRecorder()->GetSetups();
+  error = writeTrajectory(options.output + "/trajectory.csv", ticks, setups);
   if (error.empty() && !options.record.empty())
   {
-    error = writeTrajectory(options.record, ticks);
+    error = writeTrajectory(options.record, ticks, setups);
   }
   if (!error.empty())
   {
@@ -263,6 +293,8 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
   moment.remark = momentRemark(ticks, moment.tick);
+  const std::string replay = replayRemark(session, ticks[static_cast<std::size_t>(moment.tick)].time);
+  moment.remark += replay.empty() ? "" : "\n" + replay;
   if (options.pictures)
   {
     progress("drawing");

@@ -75,6 +75,11 @@ public:
   {
     this->Contacts[contact].update(pose);
   }
+  /// Continues the friction of the same contact of another scene; see ToolContact.
+  void assumeFriction(std::size_t contact, const CoupledContacts& other) noexcept
+  {
+    this->Contacts[contact].assumeFriction(other.Contacts[contact]);
+  }
   /// Takes the history of other contacts, as many, on the same body. Allocates nothing.
   void assume(const CoupledContacts& other) noexcept;
 

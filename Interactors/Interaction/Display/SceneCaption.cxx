@@ -185,7 +185,7 @@ void SceneCaption::addHand(int number, const ShownContact& contact)
 void SceneCaption::write(double width)
 {
   std::string all;
-  for (const std::string& part : { this->Title, this->Contact, this->Remark })
+  for (const std::string& part : { this->Title, this->Contact, this->State, this->Remark })
   {
     all += all.empty() || part.empty() ? part : "\n" + part;
   }
