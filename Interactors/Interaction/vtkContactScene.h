@@ -208,6 +208,9 @@ public:
    * first such tick, the contact point that was shown last. `up` points up in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
+  /** Restores the view of the last LookAtBody, direction included. Without one, only the distance
+   * changes: the whole picture is in view. */
+  void ResetView();
   ///@}
 
   ///@{
@@ -266,6 +269,9 @@ private:
   bool HasTouched = false;
   double ContactRadius = 0.0;
   double Contact[3] = { 0.0, 0.0, 0.0 }; ///< the point for LookAtContact
+  bool HasBodyView = false;
+  double BodyDirection[3] = { 0.0, 0.0, 1.0 }; ///< of the last LookAtBody
+  double BodyUp[3] = { 0.0, 1.0, 0.0 };
 };
 
 #endif

@@ -267,6 +267,9 @@ public:
   bool IsBusy();
   /** Fraction of the requested work that is done, 0 to 1; 1 if nothing is requested. */
   double GetProgress();
+  /** While the requested responses are not ready: a sentence about the forces that are still shown,
+   * "Computing: still the force of E = 35 kPa"; "" otherwise. */
+  std::string GetPendingText();
   /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
    * the tools return to those of the output. No effect if nothing is requested. */
   void Cancel();

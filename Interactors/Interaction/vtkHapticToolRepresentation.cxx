@@ -278,6 +278,7 @@ void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObs
   {
     this->LabelsAfter->CollectObstacles(obstacles);
   }
+  obstacles.insert(obstacles.end(), this->LeftFree.begin(), this->LeftFree.end());
   this->CollectTool(obstacles);
   for (const palpate::ForceArrow* arrow :
     { this->Total.get(), this->NormalPart.get(), this->Friction.get(), this->Applied.get() })
@@ -299,6 +300,11 @@ void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObs
     const Eigen::Vector3d contact(this->ContactPoint);
     obstacles.push_back({ contact, contact, this->ContactRadius });
   }
+}
+
+void vtkHapticToolRepresentation::LeaveFree(std::vector<palpate::LabelObstacle> obstacles)
+{
+  this->LeftFree = std::move(obstacles);
 }
 
 int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)

@@ -175,6 +175,8 @@ public:
    * The tool then keeps its place and its depth; a window should say so.
    */
   bool IsPointerOffBody();
+  /** Whether the wheel was last turned to press deeper than MaximumDepth. */
+  bool IsAtGreatestDepth() const { return this->AtGreatestDepth; }
 
   ///@{
   /** Whether the list of keys and mouse functions is shown on the screen. Key ?. Default off. */
@@ -239,6 +241,7 @@ private:
   bool Pressing = false;
   bool KeepsWheelDepth = false; ///< whether the button was pressed while the wheel pressed
   bool WheelPressed = false;
+  bool AtGreatestDepth = false;
   bool OffBody = false; ///< whether the last move found no surface while the tool pressed
 };
 

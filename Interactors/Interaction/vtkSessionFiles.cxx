@@ -88,8 +88,8 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
   this->Session->GetRecorder()->GetTape(); // collects the newly recorded ticks
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
-  const std::string error = palpate::writeTrajectory(
-    name, this->Tape->ticks(), this->Session->GetRecorder()->GetSetups());
+  const std::string error =
+    palpate::writeTrajectory(name, this->Tape->ticks(), this->Session->GetRecorder()->GetSetups());
   if (!error.empty())
   {
     vtkErrorMacro(<< error << ".");

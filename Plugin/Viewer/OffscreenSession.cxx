@@ -86,6 +86,14 @@ std::string momentInWords(const Tick& tick)
   return text.data();
 }
 
+/// A number with four significant digits, as the rest of the summary.
+std::string fourDigits(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
 /// Names the tick in the pictures, and the tick of the largest force; "" without contact.
 std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
 {
@@ -101,7 +109,7 @@ std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
   }
   std::array<char, 60> force{};
   std::snprintf(
-    force.data(), force.size(), "peak %.4g N at %.3f s", peak->contact.force.norm(), peak->time);
+    force.data(), force.size(), "peak %#.3g N at %.3f s", peak->contact.force.norm(), peak->time);
   return "At " + momentInWords(shown) + "; " + force.data();
 }
 
@@ -293,7 +301,8 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
   moment.remark = momentRemark(ticks, moment.tick);
-  const std::string replay = replayRemark(session, ticks[static_cast<std::size_t>(moment.tick)].time);
+  const std::string replay =
+    replayRemark(session, ticks[static_cast<std::size_t>(moment.tick)].time);
   moment.remark += replay.empty() ? "" : "\n" + replay;
   if (options.pictures)
   {
@@ -307,8 +316,9 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
       nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
     printSummary(options, scene, responses, choice, session, stiffening,
       options.pictures && peakOf(ticks)
-        ? joined("force ", shortly(ticks[static_cast<std::size_t>(moment.tick)].idealForce.norm()),
-            " N, at ", momentInWords(ticks[static_cast<std::size_t>(moment.tick)]))
+        ? joined("force ",
+            fourDigits(ticks[static_cast<std::size_t>(moment.tick)].idealForce.norm()), " N, at ",
+            momentInWords(ticks[static_cast<std::size_t>(moment.tick)]))
         : std::string());
   }
   return error;

@@ -19,7 +19,7 @@ void chooseContact(
   session->GetSettings()->SetKernel(contact);
   session->SetBodyName(scene.title);
   session->SetMaterial(!scene.tissues.empty() ? scene.tissues
-      : scene.stored                           ? std::string()
+      : scene.stored                          ? std::string()
                      : materialInWords(scene.youngsModulus, scene.poissonRatio));
 }
 

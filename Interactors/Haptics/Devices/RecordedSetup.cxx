@@ -107,8 +107,9 @@ std::vector<std::string> RecordedSetups::lines() const
   const RecordedSetup* before = &unknown;
   for (const SetupSince& since : this->All)
   {
-    const std::string when =
-      before == &unknown ? "" : std::string(From) + shortestDecimals(since.time) + std::string(Seconds);
+    const std::string when = before == &unknown
+      ? ""
+      : std::string(From) + shortestDecimals(since.time) + std::string(Seconds);
     for (std::size_t part = 0; part < SetupPartNames.size(); ++part)
     {
       if (since.setup.texts[part] != before->texts[part])
@@ -160,7 +161,7 @@ std::string differenceOf(const RecordedSetup& recorded, const RecordedSetup& her
   return text;
 }
 
-std::string inWords(const RecordedSetup& setup)
+std::string setupInWords(const RecordedSetup& setup)
 {
   std::string text;
   for (std::size_t part = 0; part < SetupPartNames.size(); ++part)
@@ -182,7 +183,7 @@ std::string replayInWords(const RecordedSetups& recorded, double time, const Rec
     return "Replay: the record names neither tool nor material";
   }
   const std::string difference = differenceOf(*then, here);
-  return difference.empty() ? "Replay: recorded with " + inWords(*then)
+  return difference.empty() ? "Replay: recorded with " + setupInWords(*then)
                             : "Replay: recorded with another setup: " + difference;
 }
 } // namespace palpate

@@ -82,7 +82,7 @@ private:
 /// none.
 PALPATE_EXPORT std::string differenceOf(const RecordedSetup& recorded, const RecordedSetup& here);
 /// The parts that are known: "body liver.stl, tool sphere:1.6, ...".
-PALPATE_EXPORT std::string inWords(const RecordedSetup& setup);
+PALPATE_EXPORT std::string setupInWords(const RecordedSetup& setup);
 /// A sentence about a replay at a time (s) of the record, without its full stop.
 PALPATE_EXPORT std::string replayInWords(
   const RecordedSetups& recorded, double time, const RecordedSetup& here);

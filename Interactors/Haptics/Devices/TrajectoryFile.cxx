@@ -130,8 +130,8 @@ std::string keepRows(WholeFile& file, std::size_t rows, std::size_t remarks)
   const std::size_t above = 1 + remarks; // lines with the names of the columns, and the setups
   const std::size_t lines = file.keepLines(above + 1);
   return lines == 0 ? std::string()
-                    : "; the first " + std::to_string(lines - above) + " of " + std::to_string(rows) +
-      " rows are kept in '" + file.unfinished() + "'";
+                    : "; the first " + std::to_string(lines - above) + " of " +
+      std::to_string(rows) + " rows are kept in '" + file.unfinished() + "'";
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 #ifndef ForceTrail_h
 #define ForceTrail_h
 
+#include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/ShownContact.h"
 
 #include "vtkSmartPointer.h"
@@ -49,6 +50,8 @@ public:
   /// Explains the gaps of the line, "gap: no contact", and its dashes, "dashed: beyond validity";
   /// "" without both.
   std::string gapsInWords() const;
+  /// The line as at most `most` straight pieces, which labels leave free.
+  std::vector<LabelObstacle> segments(std::size_t most) const;
   vtkActor* actor() { return this->Actor; }
 
 private:

@@ -13,15 +13,15 @@ namespace palpate
 {
 namespace
 {
-/// The layers of a stack: "2 mm, E = 0.1 MPa, nu = 0.45; half-space, E = 1 MPa, nu = 0.45, slipping".
+/// The layers of a stack: "2 mm, E = 0.1 MPa, nu = 0.45; half-space, E = 1 MPa, nu = 0.45,
+/// slipping".
 std::string layersInWords(vtkPolyData* body, const std::string& name)
 {
   vtkDataArray* layers =
     body->GetFieldData()->GetArray(arrayName(name, ResponseArray::LayerStack).c_str());
   std::string text;
-  for (vtkIdType i = 0; layers && layers->GetNumberOfComponents() == 4 &&
-       i < layers->GetNumberOfTuples();
-       ++i)
+  for (vtkIdType i = 0;
+       layers && layers->GetNumberOfComponents() == 4 && i < layers->GetNumberOfTuples(); ++i)
   {
     const double thickness = layers->GetComponent(i, 0);
     text += text.empty() ? "" : "; ";

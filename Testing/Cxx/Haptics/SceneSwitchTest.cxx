@@ -290,14 +290,14 @@ TEST(SceneSwitch, FrictionContinuesWithinTheLimitOfTheNewContact)
   {
     FrictionModel model;
     double coefficient;
-    double stiffness; // N/mm
-    double expected;  // N
+    double stiffness;                                             // N/mm
+    double expected;                                              // N
   } cases[] = { { FrictionModel::ElastoPlastic, 0.5, 10.0, 5.0 }, // the same
     { FrictionModel::ElastoPlastic, 0.2, 10.0, 2.0 },             // the limit
     { FrictionModel::ElastoPlastic, 0.5, 20.0, 5.0 },             // stiffer: the force is kept
-    { FrictionModel::ElastoPlastic, 0.5, 4.0, 2.0 },  // softer: the displacement is kept
-    { FrictionModel::Dahl, 0.5, 4.0, 2.0 },           // the same z
-    { FrictionModel::ElastoPlastic, 0.0, 10.0, 0.0 }, // no friction
+    { FrictionModel::ElastoPlastic, 0.5, 4.0, 2.0 },   // softer: the displacement is kept
+    { FrictionModel::Dahl, 0.5, 4.0, 2.0 },            // the same z
+    { FrictionModel::ElastoPlastic, 0.0, 10.0, 0.0 },  // no friction
     { FrictionModel::ShapeDerived, 0.5, 10.0, 0.0 } }; // other displacements: from rest
   for (const auto& next : cases)
   {

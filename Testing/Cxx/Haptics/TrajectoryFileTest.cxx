@@ -195,10 +195,9 @@ TEST(TrajectoryFile, NamesBodyToolAndMaterialFromTheirTimesOn)
   std::ifstream stream(file.path());
   std::string line;
   std::getline(stream, line);
-  for (const char* expected :
-    { "# body: liver, left: lobe.stl", "# tool: sphere:6.35", "# material: E = 0.05 MPa, nu = 0.45",
-      "# tool from 0.25 s: flat:1.6", "# tool from 0.5 s: cone:60",
-      "# material from 0.5 s: E = 1 MPa, nu = 0.45" })
+  for (const char* expected : { "# body: liver, left: lobe.stl", "# tool: sphere:6.35",
+         "# material: E = 0.05 MPa, nu = 0.45", "# tool from 0.25 s: flat:1.6",
+         "# tool from 0.5 s: cone:60", "# material from 0.5 s: E = 1 MPa, nu = 0.45" })
   {
     std::getline(stream, line);
     EXPECT_EQ(line, expected);
@@ -219,7 +218,8 @@ TEST(TrajectoryFile, NamesBodyToolAndMaterialFromTheirTimesOn)
 
 TEST(TrajectoryFile, OldFilesAndRemarksOfOthersNameNoSetup)
 {
-  for (const char* text : { "", "# tools: none\n# from 3 s\n# tool from soon s: flat:1\n#\n#tool\n" })
+  for (const char* text :
+    { "", "# tools: none\n# from 3 s\n# tool from soon s: flat:1\n#\n#tool\n" })
   {
     std::istringstream stream(text + Head + text + "0,1,2,3\n" + text + "1,1,2,3\n");
     Trajectory read;
@@ -234,7 +234,8 @@ TEST(TrajectoryFile, OldFilesAndRemarksOfOthersNameNoSetup)
 TEST(TrajectoryFile, AReplayNamesWhatDiffers)
 {
   using palpate::SetupPart;
-  std::istringstream stream("# tool: sphere:1.6\n" + Head + "# material: E = 1 MPa, nu = 0.5\n0,1,2,3\n");
+  std::istringstream stream(
+    "# tool: sphere:1.6\n" + Head + "# material: E = 1 MPa, nu = 0.5\n0,1,2,3\n");
   Trajectory read;
   ASSERT_EQ(palpate::readTrajectory(stream, "t.csv", read), "");
   palpate::RecordedSetup here;
