@@ -52,6 +52,30 @@ void Friction::reset() noexcept
   this->Frame.reset();
 }
 
+void Friction::assume(const Friction& other) noexcept
+{
+  const bool haveBegun =
+    this->Enabled && other.Enabled && this->Frame.isStarted() && other.Frame.isStarted();
+  const bool isShape = this->Model == FrictionModel::ShapeDerived;
+  if (!haveBegun || isShape != (other.Model == FrictionModel::ShapeDerived))
+  {
+    return;
+  }
+  const auto turned = [this, &other](const Vector2& displacement) -> Vector2
+  { return this->Frame.toTangent(other.Frame.toSpace(displacement)); };
+  if (isShape)
+  {
+    this->Shape.assume(other.Shape, turned);
+    return;
+  }
+  const bool isDahl = other.Model == FrictionModel::Dahl;
+  const Vector2 displacement =
+    turned(isDahl ? other.Dahl.displacement() : other.ElastoPlastic.displacement());
+  const double stiffness = isDahl ? other.Dahl.stiffness() : other.ElastoPlastic.stiffness();
+  this->Dahl.setDisplacement(std::min(stiffness / this->Dahl.stiffness(), 1.0) * displacement);
+  this->ElastoPlastic.setDisplacement(this->Dahl.displacement());
+}
+
 ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) noexcept
   : Stiffness(settings.tangentialStiffness)
   , Breakaway(settings.breakaway)

@@ -37,6 +37,10 @@ public:
   {
   }
   void reset() noexcept { this->Z.setZero(); }
+  double stiffness() const noexcept { return this->Stiffness; } ///< σ₀, N/mm
+  /// The elastic displacement z, mm.
+  const Vector2& displacement() const noexcept { return this->Z; }
+  void setDisplacement(const Vector2& displacement) noexcept { this->Z = displacement; }
 
   /// Returns a force of at most `limit` = μ f_n, N.
   TangentialForce update(const StraightStep& step, double limit) noexcept
@@ -96,6 +100,10 @@ class PALPATE_EXPORT ElastoPlasticFriction
 public:
   explicit ElastoPlasticFriction(const FrictionSettings& settings) noexcept;
   void reset() noexcept { this->Z.setZero(); }
+  double stiffness() const noexcept { return this->Stiffness; } ///< σ₀, N/mm
+  /// The elastic displacement z, mm.
+  const Vector2& displacement() const noexcept { return this->Z; }
+  void setDisplacement(const Vector2& displacement) noexcept { this->Z = displacement; }
 
   /// Returns a force of at most `limit` = μ f_n, N.
   TangentialForce update(const StraightStep& step, double limit) noexcept;
@@ -171,6 +179,20 @@ public:
 
   explicit ShapeFriction(const FrictionSettings& settings) noexcept;
   void reset() noexcept;
+  /// Takes the springs of another contact; `turned` changes a displacement of its frame into one
+  /// of this frame.
+  template <class Turned>
+  void assume(const ShapeFriction& other, const Turned& turned) noexcept
+  {
+    // A smaller c makes the springs stiffer: they keep their force.
+    const double share = std::min(this->Compliance / other.Compliance, 1.0);
+    this->Count = other.Count;
+    this->Stiffness = other.Stiffness;
+    for (std::size_t j = 0; j < other.Count; ++j)
+    {
+      this->Displacement[j] = share * turned(other.Displacement[j]);
+    }
+  }
 
   /// Returns a force of at most μ normalForce, N. `curve` is the response at this contact:
   /// evaluate(depth) -> ResponseValue, range() -> mm.
@@ -273,6 +295,13 @@ public:
 
   /// Ends the contact: the next one starts without pre-sliding displacement.
   void reset() noexcept;
+
+  /// Takes the pre-sliding displacement of another contact that this one continues, at the same
+  /// place with other settings or another response: the friction continues, within the limit of
+  /// this contact. No energy is created, because a stiffer spring keeps its force and a softer one
+  /// its displacement, and a displacement across the tangent plane is lost. No effect unless both
+  /// contacts have begun and both have friction, of ShapeDerived or of the two other models.
+  void assume(const Friction& other) noexcept;
 
   /// Result of one tick.
   struct Result

@@ -154,6 +154,13 @@ public:
   /// The displacement of the last advance, mm, in this frame.
   const StraightStep& step() const noexcept { return this->Step; }
 
+  bool isStarted() const noexcept { return this->Started; }
+
+  /// The tangent part of a vector in space, in this frame.
+  Vector2 toTangent(const Vector3& vector) const noexcept
+  {
+    return { vector.dot(this->First), vector.dot(this->Second) };
+  }
   /// The vector in space of a tangent vector in this frame.
   Vector3 toSpace(const Vector2& tangent) const noexcept
   {

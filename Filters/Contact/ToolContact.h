@@ -94,6 +94,13 @@ public:
   /// Ends the contact and its friction, but keeps the memory of the body.
   void lose() noexcept;
 
+  /// Takes the pre-sliding displacement of another contact that this one continues
+  /// (Friction::assume).
+  void assumeFriction(const ToolContact& other) noexcept
+  {
+    this->Resistance.assume(other.Resistance);
+  }
+
   /// Prefetches the memory that the next update reads if the tip continues its motion. To be called
   /// after the force is sent, while the loop is idle. Changes nothing; takes 50 ns to a few
   /// microseconds.

@@ -5,6 +5,7 @@
 #include "Interaction/Display/ShownHands.h"
 #include "Interaction/Display/ShownContact.h"
 #include "Interaction/Display/ForceTrail.h"
+#include "Interaction/Display/LabelLayout.h"
 #include "Response/RoundNumber.h"
 #include "Interaction/Display/ScaleRule.h"
 #include "Interaction/Display/SceneView.h"
@@ -109,7 +110,7 @@ void vtkContactScene::SetResponseName(const std::string& name)
 
 void vtkContactScene::SetLargestDeflection(double largest)
 {
-  this->Legends->displacementColors()->SetTableRange(0.0, largest);
+  this->Legends->setLargestDisplacement(largest);
 }
 
 void vtkContactScene::SetLargestForce(double largest)
@@ -125,7 +126,7 @@ void vtkContactScene::SetLargestForce(double largest)
   const double scale = palpate::roundDown(ArrowLength / largest);
   this->Hands->tool()->SetForceScale(scale);
   this->Scale->choose(largest, scale);
-  this->Legends->forceColors()->SetTableRange(0.0, palpate::roundUp(largest));
+  this->Legends->setLargestForce(palpate::roundUp(largest));
 }
 
 void vtkContactScene::SetExaggeration(double factor)
@@ -204,6 +205,9 @@ void vtkContactScene::SwitchTrail()
   this->Trail->actor()->SetVisibility(visible);
   this->Legends->explainGaps(visible ? this->Trail->gapsInWords() : std::string());
   this->Legends->force()->SetVisibility(visible);
+  constexpr std::size_t segments = 40; // of the trail, for labels
+  this->Hands->leaveFree(
+    visible ? this->Trail->segments(segments) : std::vector<palpate::LabelObstacle>());
 }
 
 bool vtkContactScene::ShowTip(vtkPolyData* probed, vtkIdType index)
@@ -251,6 +255,7 @@ void vtkContactScene::Show(const std::vector<palpate::ShownContact>& contacts)
     this->Body->show(contacts);
     this->ContactRadius = contact.touches() ? this->Body->contactRadius() : 0.0;
     vtkContactTool* tool = this->Hands->tool()->GetTool();
+    this->Legends->explainCircle(this->ContactCircleVisibility);
     this->Caption->describe(*this->Shown, tool ? tool->GetDescription() : std::string(),
       this->ContactRadius, this->GetExaggeration());
     for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -309,6 +314,9 @@ void vtkContactScene::Arrange()
 
 void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
 {
+  std::copy_n(direction, 3, this->BodyDirection);
+  std::copy_n(up, 3, this->BodyUp);
+  this->HasBodyView = true;
   double bounds[6];
   this->Body->bounds(bounds);
   vtkBoundingBox all(bounds);
@@ -319,6 +327,20 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },
     palpate::SceneLegends::share(this->Renderer));
+}
+
+void vtkContactScene::ResetView()
+{
+  if (this->HasBodyView)
+  {
+    const Eigen::Vector3d direction(this->BodyDirection);
+    const Eigen::Vector3d up(this->BodyUp);
+    this->LookAtBody(direction.data(), up.data());
+  }
+  else if (this->Renderer)
+  {
+    this->Renderer->ResetCamera();
+  }
 }
 
 void vtkContactScene::LookAtContact(double distance, const double direction[3], const double up[3])

@@ -20,7 +20,8 @@
  *   the force exceeds them. They shrink if for 3 s of contact all forces along the trail have been
  *   below a third of their end. For 3 s after a change the picture says "scale changed".
  * - A caption gives the tool, the deflection, the contact radius, the forces, the reasons for a
- *   different applied force, and the limit of validity.
+ *   different applied force, and the limit of validity. For a replayed record it names the setup
+ *   of the record, or how that differs from the present one.
  *
  * For a session with several devices, the tools, arrows, circles and dents of all are drawn, and
  * the caption has a line for each device. Trail, camera and the values below are those of the first
@@ -122,6 +123,13 @@ public:
   void SetRemark(const std::string& remark);
 
   ///@{
+  /** A line of the caption about the work in progress, above the remark; it appears with the next
+   * shown tick of a session. Default none. */
+  vtkSetMacro(Notice, std::string);
+  vtkGetMacro(Notice, std::string);
+  ///@}
+
+  ///@{
   /** Whether the contact circle, and the trail with its legend, are drawn. A change takes effect
    * with the next shown contact. For the parts of the force see GetToolRepresentation. Default on.
    * */
@@ -204,6 +212,9 @@ public:
    * `up` is upward in the picture. */
   void LookAtBody(const double direction[3], const double up[3]);
   void LookAtContact(double distance, const double direction[3], const double up[3]);
+  /** Restores the view of the last LookAtBody, direction included. Without one, only the distance
+   * changes: the whole picture is in view. */
+  void ResetView();
   ///@}
 
   ///@{
@@ -236,6 +247,7 @@ private:
   unsigned long RenderObserver = 0;
   vtkSmartPointer<vtkPolyData> BodyData;
   std::string ResponseName = "Response";
+  std::string Notice;
   vtkSmartPointer<vtkFrameClock> Clock;
   vtkSmartPointer<vtkHapticSession> Followed;
   unsigned long FrameObserver = 0;
@@ -260,7 +272,10 @@ private:
   std::unique_ptr<palpate::ShownContact> Shown; ///< the contact shown last
   bool HasTouched = false;
   double ContactRadius = 0.0;
-  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< point at which LookAtContact looks
+  double Contact[3] = { 0.0, 0.0, 0.0 }; ///< the point for LookAtContact
+  bool HasBodyView = false;
+  double BodyDirection[3] = { 0.0, 0.0, 1.0 }; ///< of the last LookAtBody
+  double BodyUp[3] = { 0.0, 1.0, 0.0 };
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Haptics/Servo/TickHistory.h"
 #include "Interaction/Display/ForceTrail.h"
+#include "Interaction/Display/SceneCaption.h"
 #include "Interaction/Display/SceneLegends.h"
 #include "Interaction/Display/ScaleRule.h"
 #include "Interaction/Display/ShownContact.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace
@@ -24,8 +26,12 @@ namespace
 // Priority among the observers of a frame. The scene is called last.
 constexpr float LastPriority = -1.0F;
 constexpr double PassedSeconds = 2.0; // longest time between two pictures that the trail bridges, s
-/// Time for which the picture says that its scale has changed, s.
-constexpr double RemarkSeconds = 3.0;
+constexpr double RemarkSeconds = 3.0; // how long a picture says that its scale has changed, s
+
+std::string joinedLines(const std::string& first, const std::string& second)
+{
+  return first + (first.empty() || second.empty() ? "" : "\n") + second;
+}
 } // namespace
 
 void vtkContactScene::Follow(vtkFrameClock* clock, vtkHapticSession* session)
@@ -75,6 +81,8 @@ void vtkContactScene::ShowSession(vtkHapticSession* session)
   this->FitForceScale(contacts.front());
   this->SwitchTrail();
   this->Hands->setSteadyLabels(true);
+  this->Caption->setState(
+    this->Blind ? std::string() : joinedLines(session->GetReplayText(), this->Notice));
   this->Show(contacts);
 }
 

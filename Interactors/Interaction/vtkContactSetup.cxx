@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactSetup.h"
 
+#include "Interaction/Session/SessionSetup.h"
 #include "Interaction/Session/SetupState.h"
 #include "vtkContactScene.h"
 #include "vtkContactSettings.h"
@@ -177,6 +178,9 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     session->SetSettings(this->Settings);
   }
   session->GetSettings()->SetPoissonRatio(this->Kept->made.poissonRatio);
+  const palpate::ResponseRequest& of = this->Kept->made.of;
+  session->SetMaterial(
+    of.stored ? std::string() : palpate::materialInWords(of.youngsModulus, of.poissonRatio));
   session->GetSafety()->ClearFitResponses();
   for (int i = 0; i < this->GetNumberOfTools(); ++i)
   {

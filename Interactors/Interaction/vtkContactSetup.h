@@ -273,6 +273,9 @@ public:
   bool IsBusy();
   /** Completed fraction of the requested work, 0 to 1; 1 if no request is pending. */
   double GetProgress();
+  /** While the requested responses are not ready: a sentence about the forces that are still shown,
+   * "Computing: still the force of E = 35 kPa"; "" otherwise. */
+  std::string GetPendingText();
   /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
    * the tools return to the values for which the output was made. No effect if no request is
    * pending. */

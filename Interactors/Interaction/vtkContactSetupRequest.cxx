@@ -4,6 +4,7 @@
 
 #include "Interaction/Session/ModulusChange.h"
 #include "Interaction/Session/SetupState.h"
+#include "Mechanics/Files/NumberText.h"
 #include "vtkToolContactResponse.h"
 
 #include "vtkCommand.h"
@@ -13,6 +14,9 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 namespace
@@ -211,6 +215,43 @@ bool vtkContactSetup::IsBusy()
 double vtkContactSetup::GetProgress()
 {
   return this->IsBusy() ? this->Kept->background.fraction() : 1.0;
+}
+
+std::string vtkContactSetup::GetPendingText()
+{
+  const State& kept = *this->Kept;
+  if (!this->IsBusy() || !kept.output)
+  {
+    return {};
+  }
+  if (kept.made.isPreliminary)
+  {
+    return "Computing: error and validity are still those of nu = " +
+      palpate::shortly(kept.shown.poissonRatio);
+  }
+  std::string former;
+  const auto add = [&former](bool differs, const std::string& what)
+  { former += !differs ? "" : (former.empty() ? "" : ", ") + what; };
+  const double modulus = kept.shown.youngsModulus;
+  add(modulus != this->YoungsModulus,
+    "E = " +
+      (modulus < 1.0 ? palpate::shortly(1000.0 * modulus) + " kPa"
+                     : palpate::shortly(modulus) + " MPa"));
+  add(kept.shown.poissonRatio != this->PoissonRatio,
+    "nu = " + palpate::shortly(kept.shown.poissonRatio));
+  const auto chosen = static_cast<std::size_t>(this->ChosenTool);
+  vtkContactTool* tool = this->GetToolInHand();
+  if (tool && tool->HasSize() && chosen < kept.shown.sizes.size())
+  {
+    const double size = kept.shown.sizes[chosen];
+    add(size != tool->GetSize(),
+      tool->IsSizeAngle() ? "half angle " + palpate::shortly(size) + " degrees"
+                          : "radius " + palpate::shortly(size) + " mm");
+  }
+  constexpr std::array<const char*, 4> models = { "the half-space", "the layer",
+    "the body in series", "the stored response" };
+  add(kept.shown.model != this->Model, models[static_cast<std::size_t>(kept.shown.model)]);
+  return "Computing: still the force of " + (former.empty() ? "the former settings" : former);
 }
 
 void vtkContactSetup::Cancel()

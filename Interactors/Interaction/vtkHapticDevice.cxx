@@ -123,6 +123,16 @@ bool vtkHapticDevice::IsSimulated()
   return this->Kept->chosen.isSimulated();
 }
 
+bool vtkHapticDevice::IsReplay()
+{
+  return this->Kept->chosen.kind == palpate::SessionDevice::Replay;
+}
+
+const palpate::RecordedSetups& vtkHapticDevice::GetRecordedSetups()
+{
+  return this->Kept->chosen.trajectory.setups;
+}
+
 bool vtkHapticDevice::IsStiff() const
 {
   return this->Kept->chosen.isStiff();

@@ -57,6 +57,7 @@ class vtkPolyData;
 namespace palpate
 {
 class HapticDevice;
+class RecordedSetups;
 class WorkspaceMapping;
 struct ContactBody;
 } // namespace palpate
@@ -89,6 +90,8 @@ public:
   /** Whether the device follows SetPath, or SteerTo with RealTime. True for "simulated" and
    * "plant". */
   bool IsSimulated();
+  /** Whether it plays a recorded trajectory, "replay:FILE". */
+  bool IsReplay();
 
   ///@{
   /** Position of the device's origin in the body's frame, mm. Default 0, 0, 0. */
@@ -167,7 +170,10 @@ public:
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
-  /** Uses a device that is passed by the caller. */
+  /** The setups of a replayed file, by its times from its first row on; empty for other devices. */
+  const palpate::RecordedSetups& GetRecordedSetups();
+
+  /** Uses a device given by the caller. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 
   /** Called by the session at its start. Reads mapping and path, and makes the hand, for a body

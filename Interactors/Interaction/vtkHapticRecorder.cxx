@@ -12,6 +12,7 @@ vtkStandardNewMacro(vtkHapticRecorder);
 
 vtkHapticRecorder::vtkHapticRecorder()
   : Tape(std::make_shared<palpate::TickTape>())
+  , Setups(std::make_unique<palpate::RecordedSetups>())
 {
 }
 
@@ -20,6 +21,21 @@ vtkHapticRecorder::~vtkHapticRecorder() = default;
 void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
 {
   this->Run = run;
+  this->Setups->clear();
+}
+
+const palpate::RecordedSetups& vtkHapticRecorder::GetSetups() const
+{
+  return *this->Setups;
+}
+
+void vtkHapticRecorder::AddSetup(double time, const palpate::RecordedSetup& setup)
+{
+  this->Setups->add(time, setup);
+  if (!this->Recording && !this->Tape->isRunning())
+  {
+    this->Setups->keepNewest();
+  }
 }
 
 /// Collects the newly recorded ticks. Returns the run of the session, or null if there is none.

@@ -26,7 +26,7 @@
 #include "palpateInteractionModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <memory> // For std::weak_ptr
+#include <memory> // For std::weak_ptr, std::unique_ptr
 #include <string> // For std::string
 #include <vector> // For std::vector
 
@@ -35,6 +35,8 @@ class vtkTable;
 
 namespace palpate
 {
+struct RecordedSetup;
+class RecordedSetups;
 class ServoLoop;
 class SessionRun;
 struct Tick;
@@ -131,7 +133,12 @@ public:
   /** The tape, which records the ticks of a part of the session, also across several runs. */
   const std::shared_ptr<palpate::TickTape>& GetTape();
 
-  /** Called by a session that starts. Null: no session runs. */
+  /** The setups of the run since Start; if no ticks are recorded, only the newest. */
+  const palpate::RecordedSetups& GetSetups() const;
+  /** Called by a session that uses another setup from a time (s) on. */
+  void AddSetup(double time, const palpate::RecordedSetup& setup);
+
+  /** Called by a session that starts; null: no run. */
   void Follow(const std::shared_ptr<palpate::SessionRun>& run);
 #endif
 
@@ -151,6 +158,7 @@ private:
   double HistorySeconds = 0.0;
   std::weak_ptr<palpate::SessionRun> Run;
   std::shared_ptr<palpate::TickTape> Tape;
+  std::unique_ptr<palpate::RecordedSetups> Setups;
 };
 
 #endif

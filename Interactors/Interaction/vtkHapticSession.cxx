@@ -4,6 +4,7 @@
 
 #include "Haptics/Safety/SafetyText.h"
 #include "Interaction/Session/HapticSessionState.h"
+#include "Interaction/Session/SessionSetup.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -337,6 +338,19 @@ const palpate::Tick& vtkHapticSession::GetNewestTick(int device)
   return this->Newest(device);
 }
 
+palpate::RecordedSetup vtkHapticSession::GetSetup()
+{
+  return palpate::setupOf(this->Body, this->ResponseName, this->BodyName, this->Material,
+    this->Settings->GetKernel().friction);
+}
+
+std::string vtkHapticSession::GetReplayText()
+{
+  return this->Device->IsReplay() ? palpate::replayInWords(this->Device->GetRecordedSetups(),
+                                      this->Newest(0).time, this->GetSetup())
+                                  : std::string();
+}
+
 vtkMTimeType vtkHapticSession::GetMTime()
 {
   vtkMTimeType newest = std::max({ this->Superclass::GetMTime(), this->Settings->GetMTime(),
@@ -353,6 +367,8 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Body: " << this->Body.Get() << "\n";
   os << indent << "ResponseName: " << this->ResponseName << "\n";
+  os << indent << "BodyName: " << this->BodyName << "\n";
+  os << indent << "Material: " << this->Material << "\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "RealTime: " << this->RealTime << "\n";
   os << indent << "LockMemory: " << this->LockMemory << "\n";

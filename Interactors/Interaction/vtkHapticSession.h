@@ -69,6 +69,7 @@ namespace palpate
 {
 struct BodyKernels;
 struct ContactBody;
+struct RecordedSetup;
 struct SafetySettings;
 struct ServoScene;
 class SessionRun;
@@ -155,6 +156,18 @@ public:
    * default. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
+  ///@}
+
+  ///@{
+  /**
+   * Name of the body, such as its file, and its material in words, for records: a trajectory file
+   * names them, and a replay compares them. vtkContactSetup sets the material, "E = 0.05 MPa, nu =
+   * 0.45". Default "": not known.
+   */
+  vtkSetMacro(BodyName, std::string);
+  vtkGetMacro(BodyName, std::string);
+  vtkSetMacro(Material, std::string);
+  vtkGetMacro(Material, std::string);
   ///@}
 
   ///@{
@@ -294,7 +307,17 @@ public:
    */
   std::string GetSafetyText();
 
+  /**
+   * With a device "replay:FILE": a sentence with the recorded body, tool, material, model and
+   * friction at this place of the record, or with those that differ from the session's. "" for
+   * other devices.
+   */
+  std::string GetReplayText();
+
 #ifndef __VTK_WRAP__
+  /** Body, tool, material, model and friction in words. */
+  palpate::RecordedSetup GetSetup();
+
   /** The complete newest tick, valid until the next call; a default tick before the first tick. */
   const palpate::Tick& GetNewestTick();
   const palpate::Tick& GetNewestTick(int device);
@@ -335,6 +358,8 @@ private:
   vtkSmartPointer<vtkHapticSafety> Safety;
   vtkSmartPointer<vtkHapticRecorder> Recorder;
   std::string ResponseName = "Response";
+  std::string BodyName;
+  std::string Material;
   double Rate = 1000.0;
   bool RealTime = false;
   bool LockMemory = false;

@@ -3,6 +3,7 @@
 #include "vtkHapticSession.h"
 
 #include "Haptics/Devices/DeviceFit.h"
+#include "Haptics/Devices/RecordedSetup.h"
 #include "Haptics/Safety/SafetySettings.h"
 #include "Interaction/Session/HapticSessionState.h"
 #include "Response/BodyConversion.h"
@@ -126,6 +127,7 @@ bool vtkHapticSession::ApplyChanges()
   }
   this->Run->run->change(std::move(scene));
   this->Run->run->firstPoly = firstPolyOf(this->Body);
+  this->Recorder->AddSetup(this->Newest(0).time, this->GetSetup());
   for (vtkHapticDevice* device : this->Devices())
   {
     device->ChangeBody(this->ReadBody(this->ResponseName));
@@ -328,6 +330,7 @@ bool vtkHapticSession::StartRun(const std::vector<Hand>& hands)
   }
   run->firstPoly = firstPolyOf(this->Body);
   this->Recorder->Follow(run);
+  this->Recorder->AddSetup(0.0, this->GetSetup());
   this->Run = std::make_unique<Started>(Started{ hands, std::move(run) });
   ++this->Starts;
   return true;

@@ -281,6 +281,7 @@ void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObs
   {
     this->LabelsAfter->CollectObstacles(obstacles);
   }
+  obstacles.insert(obstacles.end(), this->LeftFree.begin(), this->LeftFree.end());
   this->CollectTool(obstacles);
   for (const palpate::ForceArrow* arrow :
     { this->Total.get(), this->NormalPart.get(), this->Friction.get(), this->Applied.get() })
@@ -302,6 +303,11 @@ void vtkHapticToolRepresentation::CollectObstacles(std::vector<palpate::LabelObs
     const Eigen::Vector3d contact(this->ContactPoint);
     obstacles.push_back({ contact, contact, this->ContactRadius });
   }
+}
+
+void vtkHapticToolRepresentation::LeaveFree(std::vector<palpate::LabelObstacle> obstacles)
+{
+  this->LeftFree = std::move(obstacles);
 }
 
 int vtkHapticToolRepresentation::RenderOverlay(vtkViewport* viewport)

@@ -132,6 +132,11 @@ public:
    */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
+#ifndef __VTK_WRAP__
+  /** Further parts of the scene that the labels leave free. */
+  void LeaveFree(std::vector<palpate::LabelObstacle> obstacles);
+#endif
+
   ///@{
   /**
    * Radius of the circle around the contact point that labels must not cover, mm; 0 (default): no
@@ -185,7 +190,8 @@ private:
   bool BeyondValidity = false;
   bool SteadyLabels = false;
   double ContactRadius = 0.0;
-  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction in which the tool is drawn
+  std::vector<palpate::LabelObstacle> LeftFree;
+  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool stands
   double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< axis of the tool, if it is known
   double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };
   double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< start of the arrows

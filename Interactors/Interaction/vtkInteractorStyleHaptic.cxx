@@ -343,13 +343,18 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
     return false;
   }
   this->WheelPressed = this->WheelPressed || notches > 0.0;
-  if (this->Pressing && !this->KeepsWheelDepth)
+  const bool byButton = this->Pressing && !this->KeepsWheelDepth;
+  const double wanted =
+    (byButton ? this->PressDepth : this->GetWheelDepth()) + notches * DepthPerNotch;
+  constexpr double rounding = 1e-9; // of a sum of notches
+  this->AtGreatestDepth = notches > 0.0 && wanted > this->MaximumDepth + rounding;
+  if (byButton)
   {
-    this->SetPressDepth(this->PressDepth + notches * DepthPerNotch);
+    this->SetPressDepth(wanted);
   }
   else
   {
-    this->SetWheelDepth(this->GetWheelDepth() + notches * DepthPerNotch);
+    this->SetWheelDepth(wanted);
   }
   this->Steer();
   return true;

@@ -176,6 +176,8 @@ public:
    * The tool then keeps its place and its depth. A window should show this to the user.
    */
   bool IsPointerOffBody();
+  /** Whether the wheel was last turned to press deeper than MaximumDepth. */
+  bool IsAtGreatestDepth() const { return this->AtGreatestDepth; }
 
   ///@{
   /** Whether the list of keys and mouse functions is shown on the screen. Key ?. Default off. */
@@ -241,6 +243,7 @@ private:
   bool Pressing = false;
   bool KeepsWheelDepth = false; ///< whether the wheel pressed when the button was pressed
   bool WheelPressed = false;
+  bool AtGreatestDepth = false;
   bool OffBody = false; ///< whether the last move found no surface while the tool pressed
 };
 

@@ -49,7 +49,7 @@ const char* vtkInteractorStyleHaptic::OwnKeys()
          "x\tstop and start the session\n"
          "k\tkeep a record; write it\n"
          "p\twrite a picture of the window\n"
-         "r\tthe whole body in view\n"
+         "r\tback to the first view\n"
          "q\tquit";
 }
 
@@ -122,10 +122,9 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     { 'r',
       [](Style& style)
       {
-        vtkRenderer* renderer = style.Scene ? style.Scene->GetRenderer() : nullptr;
-        if (renderer)
+        if (style.Scene)
         {
-          renderer->ResetCamera();
+          style.Scene->ResetView();
         }
       } },
   };

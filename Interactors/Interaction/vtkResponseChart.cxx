@@ -162,7 +162,9 @@ void vtkResponseChart::AddBand(vtkTable* table)
   if (band->GetNumberOfRows() > 1)
   {
     palpate::addBand(this->Chart, band,
-      palpate::CurveColors[static_cast<std::size_t>(this->Curves) % palpate::CurveColors.size()]);
+      palpate::CurveColors[static_cast<std::size_t>(this->Curves) % palpate::CurveColors.size()],
+      this->HasBand ? "" : "pale: \u00b1 error of each curve");
+    this->HasBand = true;
   }
 }
 
@@ -183,6 +185,7 @@ void vtkResponseChart::RemoveAllCurves()
 {
   this->Chart->ClearPlots();
   this->Curves = 0;
+  this->HasBand = false;
   this->LargestDeflection = 0.0;
   this->LargestForce = 0.0;
   this->Modified();

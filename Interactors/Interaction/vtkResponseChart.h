@@ -64,6 +64,7 @@ private:
 
   vtkSmartPointer<vtkChartXY> Chart;
   int Curves = 0;
+  bool HasBand = false; ///< whether the legend explains a band
   double LargestDeflection = 0.0;
   double LargestForce = 0.0;
 };

@@ -90,7 +90,8 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
   this->Session->GetRecorder()->GetTape();
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
-  const std::string error = palpate::writeTrajectory(name, this->Tape->ticks());
+  const std::string error =
+    palpate::writeTrajectory(name, this->Tape->ticks(), this->Session->GetRecorder()->GetSetups());
   if (!error.empty())
   {
     vtkErrorMacro(<< error << ".");

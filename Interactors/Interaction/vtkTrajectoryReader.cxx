@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -14,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -165,6 +167,16 @@ int vtkTrajectoryReader::RequestData(
   if (count > 0)
   {
     output->SetLines(line);
+  }
+  if (!this->Known->setups.isEmpty())
+  {
+    vtkNew<vtkStringArray> setups;
+    setups->SetName("RecordedSetup");
+    for (const std::string& text : this->Known->setups.lines())
+    {
+      setups->InsertNextValue(text);
+    }
+    output->GetFieldData()->AddArray(setups);
   }
   const auto give = [&](const char* name, int components, auto get)
   { attach(output, rows, count, name, components, get); };

@@ -11,7 +11,9 @@
  * its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total),
  * `ContactState` (uint8, as in vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
  * (3, N mm, about the tip). For the device, in its own frame: `DevicePosition` (3, m) and
- * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out.
+ * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out. The field array
+ * `RecordedSetup` has the lines of the file on body, tool, material, model and friction, such as
+ * "tool: sphere:6.35".
  *
  * Time: the reader announces FrameRate time steps per second over the times of the file. The output
  * at a time t ends with the last tip whose time is at most t. This is the present tip for

@@ -313,8 +313,8 @@ std::string HapticWindow::writeRecords()
   std::string error = isWritten ? std::string() : this->Files->GetNotice();
   if (!this->Options.record.empty())
   {
-    const std::string failed =
-      writeTrajectory(this->Options.record, this->Session->GetRecorder()->GetTicks());
+    const std::string failed = writeTrajectory(this->Options.record,
+      this->Session->GetRecorder()->GetTicks(), this->Session->GetRecorder()->GetSetups());
     error += (error.empty() || failed.empty() ? "" : "; ") + failed;
   }
   return error;

@@ -7,6 +7,7 @@
 #include "ModelChoice.h"
 #include "Pictures.h"
 #include "Interaction/Display/MemoryText.h"
+#include "Interaction/Session/SessionSetup.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"
@@ -85,6 +86,14 @@ std::string momentInWords(const Tick& tick)
   return text.data();
 }
 
+/// A number with four significant digits, as the rest of the summary.
+std::string fourDigits(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
 /// Names the tick in the pictures, and the tick of the largest force; "" without contact.
 std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
 {
@@ -100,8 +109,28 @@ std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
   }
   std::array<char, 60> force{};
   std::snprintf(
-    force.data(), force.size(), "peak %.4g N at %.3f s", peak->contact.force.norm(), peak->time);
+    force.data(), force.size(), "peak %#.3g N at %.3f s", peak->contact.force.norm(), peak->time);
   return "At " + momentInWords(shown) + "; " + force.data();
+}
+
+/// Compares the setup of a replayed record at a time (s) with that of the session. "" without a
+/// replay.
+std::string replayRemark(vtkHapticSession* session, double time = 0.0)
+{
+  return session->GetDevice()->IsReplay()
+    ? replayInWords(session->GetDevice()->GetRecordedSetups(), time, session->GetSetup())
+    : std::string();
+}
+
+/// "; the record changes them at 1.5 s, 3 s"; "" without a change.
+std::string changesOf(const RecordedSetups& setups)
+{
+  std::string times;
+  for (std::size_t i = 1; i < setups.all().size(); ++i)
+  {
+    times += joined(i > 1 ? ", " : "; the record changes this at ", setups.all()[i].time, " s");
+  }
+  return times;
 }
 
 void printSummary(const ViewerOptions& options, const ViewerScene& scene,
@@ -137,6 +166,13 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   }
   std::printf("  session     %.0f ticks of 1/%g s in virtual time, %.0f in contact\n",
     value("Ticks"), session->GetRate(), value("TicksInContact"));
+  const std::string replay = replayRemark(session);
+  if (!replay.empty())
+  {
+    constexpr std::size_t key = 8; // "Replay: "
+    std::printf("  replay      %s%s\n", replay.c_str() + key,
+      changesOf(session->GetDevice()->GetRecordedSetups()).c_str());
+  }
   const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
   const Tick* peak = peakOf(ticks);
   std::printf("  peak        force %.4g N, deflection %.4g mm%s\n", value("PeakForce (N)"),
@@ -150,10 +186,11 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   {
     std::printf("  relaxation  %s\n", memory.c_str());
   }
-  const std::string friction = describeFriction(options, scene);
-  if (!friction.empty())
+  const FrictionSettings& friction = session->GetSettings()->GetKernel().friction;
+  if (friction.coefficient != 0.0)
   {
-    std::printf("  friction    %s; peak %.4g N\n", friction.c_str(), value("PeakFriction (N)"));
+    std::printf("  friction    %s; peak %.4g N\n", frictionInWords(friction).c_str(),
+      value("PeakFriction (N)"));
   }
   const std::string trust = describeTrust(responses.body, ticks, scene.terms.errorTolerance,
     [&](const Tick& tick) { return causeOfError(scene, responses, tick); });
@@ -242,10 +279,11 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   const std::vector<Tick>& ticks = session->GetRecorder()->GetTicks();
-  error = writeTrajectory(options.output + "/trajectory.csv", ticks);
+  const RecordedSetups& setups = session->GetRecorder()->GetSetups();
+  error = writeTrajectory(options.output + "/trajectory.csv", ticks, setups);
   if (error.empty() && !options.record.empty())
   {
-    error = writeTrajectory(options.record, ticks);
+    error = writeTrajectory(options.record, ticks, setups);
   }
   if (!error.empty())
   {
@@ -263,6 +301,9 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());
   }
   moment.remark = momentRemark(ticks, moment.tick);
+  const std::string replay =
+    replayRemark(session, ticks[static_cast<std::size_t>(moment.tick)].time);
+  moment.remark += replay.empty() ? "" : "\n" + replay;
   if (options.pictures)
   {
     progress("drawing");
@@ -275,8 +316,9 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
       nearestCorner(responses.body, moment), scene.depth, options.maximumDeflection);
     printSummary(options, scene, responses, choice, session, stiffening,
       options.pictures && peakOf(ticks)
-        ? joined("force ", shortly(ticks[static_cast<std::size_t>(moment.tick)].idealForce.norm()),
-            " N, at ", momentInWords(ticks[static_cast<std::size_t>(moment.tick)]))
+        ? joined("force ",
+            fourDigits(ticks[static_cast<std::size_t>(moment.tick)].idealForce.norm()), " N, at ",
+            momentInWords(ticks[static_cast<std::size_t>(moment.tick)]))
         : std::string());
   }
   return error;

@@ -7,6 +7,7 @@
 #include "PictureSize.h"
 #include "Interaction/Display/WindowPicture.h"
 
+#include "vtkActor.h"
 #include "vtkChartXY.h"
 #include "vtkContactScene.h"
 #include "vtkContextScene.h"
@@ -17,6 +18,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkResponseChart.h"
@@ -31,6 +34,32 @@ namespace palpate
 namespace
 {
 constexpr double CloseUpDistance = 120.0; // mm
+
+/// Adds the scene's marks, lines on the body, to a renderer.
+void addMarks(const ViewerScene& scene, vtkRenderer* renderer)
+{
+  if (!scene.marks)
+  {
+    return;
+  }
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(scene.marks);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -4.0);
+  vtkNew<vtkActor> lines;
+  lines->SetMapper(mapper);
+  lines->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  lines->GetProperty()->SetLineWidth(2.0F);
+  lines->GetProperty()->LightingOff();
+  renderer->AddActor(lines);
+}
+
+/// The remark with a line above that explains the marks, if there are any.
+std::string withMarks(const ViewerScene& scene, const std::string& remark)
+{
+  return scene.marksInWords + (scene.marksInWords.empty() || remark.empty() ? "" : "\n") + remark;
+}
 
 /// A window that shows one or more contact scenes.
 struct Stage
@@ -60,7 +89,8 @@ struct Stage
     shown->SetLargestForce(largestForce);
     shown->SetLargestDeflection(scene.depth);
     shown->SetTitle(scene.title + describeSpot(scene, nearestCorner(body, moment)));
-    shown->SetRemark(moment.remark);
+    shown->SetRemark(withMarks(scene, moment.remark));
+    addMarks(scene, renderer);
     return shown;
   }
 };
@@ -192,9 +222,8 @@ std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
     auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     shown->SetResponseName(responses.names[i]);
-    shown->SetRemark(i == 0
-        ? moment.remark
-        : std::string()); // the remark names the largest force of the first tool
+    shown->SetRemark(withMarks(
+      scene, i == 0 ? moment.remark : std::string())); // its peak is that of the first tool
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
     scenes.push_back(shown);

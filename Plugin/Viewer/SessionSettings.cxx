@@ -2,12 +2,12 @@
 #include "SessionSettings.h"
 
 #include "Response/Files/CollectingWindow.h"
+#include "Interaction/Session/SessionSetup.h"
 #include "ScenePath.h"
 
 #include "vtkHapticSession.h"
 
 #include <limits>
-#include <sstream>
 
 namespace palpate
 {
@@ -17,6 +17,10 @@ void chooseContact(
   ContactSettings contact = options.contact;
   contact.friction.poissonRatio = scene.poissonRatio;
   session->GetSettings()->SetKernel(contact);
+  session->SetBodyName(scene.title);
+  session->SetMaterial(!scene.tissues.empty() ? scene.tissues
+      : scene.stored                          ? std::string()
+                     : materialInWords(scene.youngsModulus, scene.poissonRatio));
 }
 
 std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
@@ -101,27 +105,5 @@ std::string startQuietly(vtkHapticSession* session)
     quiet.window->printWarnings();
   }
   return started ? std::string() : quiet.window->reason();
-}
-
-std::string describeFriction(const ViewerOptions& options, const ViewerScene& scene)
-{
-  const FrictionSettings& friction = options.contact.friction;
-  if (friction.coefficient == 0.0)
-  {
-    return {};
-  }
-  std::ostringstream text;
-  text << "mu = " << friction.coefficient << ", ";
-  if (friction.model == FrictionModel::ShapeDerived)
-  {
-    text << "pre-sliding displacement from the response, nu = " << scene.poissonRatio;
-  }
-  else
-  {
-    const bool creeps = friction.model == FrictionModel::Dahl;
-    text << (creeps ? "Dahl's creep, " : "elasto-plastic, ") << friction.tangentialStiffness
-         << " N/mm";
-  }
-  return text.str();
 }
 } // namespace palpate

@@ -12,7 +12,8 @@ class vtkHapticSession;
 
 namespace palpate
 {
-/// Sets the contact settings of the options, and the scene's Poisson's ratio, in the session.
+/// Sets the contact settings of the options, and the scene's Poisson's ratio, in the session, and
+/// the names of body and material for records.
 void chooseContact(
   const ViewerOptions& options, const ViewerScene& scene, vtkHapticSession* session);
 
@@ -35,9 +36,6 @@ void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapt
 
 /// Starts the session. Returns "" or the error that it reported.
 std::string startQuietly(vtkHapticSession* session);
-
-/// Description of the friction for the summary, "mu = 0.5, ..."; "" without friction.
-std::string describeFriction(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate
 
 #endif

@@ -31,6 +31,8 @@ struct ViewerScene
   /// Whether the body has nodules. It then also stores the responses without the nodules, and the
   /// changes of the force by the nodules.
   bool nodules = false;
+  vtkSmartPointer<vtkPolyData> marks; ///< lines on the body in off-screen pictures; null: none
+  std::string marksInWords;           ///< what the lines are, for the caption
   std::string materialSource;
   LayerChoice layer; ///< if the thickness is scanned, the body has the array LayerThickness or, for
                      ///< a stack, LayerThickness0 and LayerThickness1

@@ -20,6 +20,29 @@ class Device(SessionCase):
         # The replay ends with the last recorded tick, one period earlier.
         self.assertEqual(first.splitlines()[:-1], again.splitlines())
 
+    def test_a_record_names_tool_and_material_and_a_replay_compares_them(self):
+        record = self.folder / "record.csv"
+        self.press(bodies.sphere(), "body.vtp", "--friction", "0.3", "--record", record)
+        lines = record.read_text().splitlines()
+        self.assertEqual(lines[1:4], ["# body: body.vtp", "# tool: sphere:3", "# material: E = 0.1 MPa, nu = 0.45"])
+        self.assertRegex(lines[4], r"^# model: half-space")
+        self.assertEqual(lines[5], "# friction: mu = 0.3, elasto-plastic, 1 N/mm")
+        same = self.press(bodies.sphere(), "body.vtp", "--friction", "0.3", "--device", f"replay:{record}")
+        self.assertRegex(same.stdout, r"(?m)^  replay +recorded with body body.vtp, tool sphere:3, material E = 0.1 MPa")
+        path = self.folder / "body.vtp"
+        other = self.succeed(path, "--tool", "flat:2", "--young", "0.2", "--poisson", "0.45", "--friction", "0.3",
+                             "--device", f"replay:{record}")
+        self.assertRegex(other.stdout, r"(?m)^  replay +recorded with another setup: tool sphere:3 \(here flat:2\), "
+                         r"material E = 0.1 MPa, nu = 0.45 \(here E = 0.2 MPa, nu = 0.45\)$")
+        # A record without these lines, as of a former version, is replayed to the same numbers.
+        old = self.folder / "old.csv"
+        old.write_text("".join(line + "\n" for line in lines if not line.startswith("#")))
+        told = self.press(bodies.sphere(), "body.vtp", "--friction", "0.3", "--device", f"replay:{old}")
+        self.assertIn("the record names neither tool nor material", told.stdout)
+        _, first = read(record)
+        _, again = read(self.output / "trajectory.csv")
+        self.assertEqual(list(first["ideal_force_N"][:-1]), list(again["ideal_force_N"]))
+
     def test_a_hand_of_a_script(self):
         script = self.folder / "hand.csv"
         script.write_text("time_s,tip_x_mm,tip_y_mm,tip_z_mm\n0,0.4,0.3,30\n1,0.4,0.3,24\n1.5,0.4,0.3,24\n")

@@ -97,7 +97,10 @@ class LiveWindow(unittest.TestCase):
             xdotool("key", key)
             time.sleep(FOLLOW)
         with open(os.path.join(folder, "palpate-1.csv"), encoding="utf-8") as file:
-            rows = file.read().splitlines()
+            lines = file.read().splitlines()
+        rows = [line for line in lines if not line.startswith("#")]
+        self.assertIn("# tool: flat:1.6", lines)
+        self.assertIn("# material: E = 2.5875 MPa, nu = 0.5", lines)
         self.assertGreater(len(rows), 1000)
         self.assertAlmostEqual(float(rows[-1].split(",")[7]), 1.0, delta=0.05)
         helped, bare = (self.pixels(os.path.join(folder, f"palpate-{i}.png")) for i in (1, 2))
@@ -139,7 +142,7 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         said = self.quit()
         with open(record, encoding="utf-8") as file:
-            rows = file.read().splitlines()
+            rows = [line for line in file.read().splitlines() if not line.startswith("#")]
         ticks = int(re.search(r"(\d+) ticks", said).group(1))
         self.assertEqual(len(rows), ticks + 1)  # all ticks and the row of column names
         self.open("replay", "--device", "replay:" + record)
@@ -216,7 +219,7 @@ class LiveWindow(unittest.TestCase):
         xdotool("mouseup", 1)
         self.quit()
         with open(record, encoding="utf-8") as file:
-            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         depths = [tick["deflection_mm"] for tick in ticks]
         first = next(index for index, depth in enumerate(depths) if depth > 0)
         travelled = {round(tick["tip_x_mm"] / 5) for tick in ticks[:first]} | {
@@ -241,7 +244,7 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         said = self.quit()
         with open(record, encoding="utf-8") as file:
-            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         alone, together = max(ticks, key=lambda tick: tick["ideal_force_N"]), ticks[-1]
         # 2 a E* times the remaining depth; normals are interpolated over facets, as above
         for tick in (alone, together):
@@ -272,7 +275,7 @@ class LiveWindow(unittest.TestCase):
         time.sleep(FOLLOW)
         said = self.quit()
         with open(record, encoding="utf-8") as file:
-            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(file)]
+            ticks = [{name: float(number) for name, number in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         axes = [tick["axis_x"] ** 2 + tick["axis_y"] ** 2 + tick["axis_z"] ** 2 for tick in ticks]
         upright = [tick for tick, axis in zip(ticks, axes) if axis == 0 and tick["ideal_force_N"] > 0][-1]
         deepest = max(index for index, tick in enumerate(ticks) if tick["deflection_mm"] > 0.335)

@@ -8,7 +8,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from session import CACHE, PALPATE, SessionCase, peak_force, run
+from session import CACHE, PALPATE, PICTURES, SessionCase, peak_force, run
 
 TABLE = Path(os.environ["PALPATE_DATA"]) / "Reference" / "shape" / "nodule_forces.csv"
 SOLVED = 800                                                # s, for one solution on a busy machine
@@ -55,6 +55,22 @@ class Phantom(SessionCase):
     def test_it_is_solved_once(self):
         self.assertIn("phantom solved for", self.solved)
         self.assertIn("taken from the cache", self.succeed("--scene", "phantom").stderr)
+
+    def test_the_overview_shows_the_nodules(self):
+        """Nine circles of black lines on the skin, of radii 1.5, 3 and 5 mm."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOImage import vtkPNGReader
+        self.succeed("--scene", "phantom", pictures=PICTURES)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.output / "overview.png"))
+        reader.Update()
+        image = reader.GetOutput()
+        wide, high, _ = image.GetDimensions()
+        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(high, wide, -1)[..., :3].astype(int)
+        skin = pixels[high // 3:, : 3 * wide // 4]  # without caption, dark front face and legends
+        # Lines of two pixels, at least 5 pixels per mm in a picture of a block of 95 mm that fills half of 1280 pixels:
+        # 2 pi (1.5 + 3 + 5) 3 mm is 179 mm, most of it at an angle.
+        self.assertGreater((skin.max(axis=2) < 60).sum(), 179 * 5)
 
     def test_a_map_of_what_is_felt(self):
         result = run("--scene", "phantom", "--map", "--output", self.output)

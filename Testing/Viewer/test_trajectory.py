@@ -16,7 +16,7 @@ FACETS = 0.05  # mm; largest depth of the facets below the sphere
 
 def read(path):
     """Column name -> values. Every line must have all columns, and only numbers."""
-    lines = path.read_text().splitlines()
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     names = lines[0].split(",")
     rows = [[float(word) for word in line.split(",")] for line in lines[1:]]
     if any(len(row) != len(names) for row in rows):

@@ -76,8 +76,12 @@ public:
   {
     this->Contacts[contact].update(pose);
   }
-  /// Copies the history of an object with the same number of contacts on the same body. Does not
-  /// allocate.
+  /// Continues the friction of the same contact of another scene; see ToolContact.
+  void assumeFriction(std::size_t contact, const CoupledContacts& other) noexcept
+  {
+    this->Contacts[contact].assumeFriction(other.Contacts[contact]);
+  }
+  /// Takes the history of other contacts, as many, on the same body. Allocates nothing.
   void assume(const CoupledContacts& other) noexcept;
 
   const std::vector<Contact>& felt() const noexcept { return this->Felt; }

@@ -3,6 +3,7 @@
 #define palpate_Trajectory_h
 
 #include "Haptics/Devices/HapticDevice.h"
+#include "Haptics/Devices/RecordedSetup.h"
 #include "Contact/Contact.h"
 
 #include <vector>
@@ -42,6 +43,7 @@ struct TrajectoryRow
 struct Trajectory
 {
   std::vector<TrajectoryRow> rows;
+  RecordedSetups setups;   ///< body, tool, material; times as in the rows
   bool hasContact = false; ///< whether rows contain the contact
   bool hasDevice = false;  ///< whether rows contain the device's reading
   bool hasAxis = false;    ///< whether rows contain the tool's axis

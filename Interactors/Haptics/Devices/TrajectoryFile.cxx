@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace palpate
@@ -79,6 +80,11 @@ std::string faultOf(const Trajectory& trajectory)
 std::string readRows(CsvReader& csv, Trajectory& trajectory)
 {
   Trajectory read;
+  csv.comment = [&read](std::string_view text)
+  {
+    read.setups.readLine(text);
+    return std::string();
+  };
   if (csv.header({ Names.begin(), Names.end() }, ContactBegin))
   {
     read.hasContact = csv.hasColumns(ContactBegin, DeviceBegin);
@@ -110,6 +116,7 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   {
     csv.fail("there are no lines with numbers");
   }
+  csv.comment = nullptr; // it refers to `read`
   if (csv.fault().empty())
   {
     trajectory = std::move(read);
@@ -117,20 +124,25 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   return csv.fault();
 }
 
-/// Keeps the rows written so far, because they cannot be recorded again. Returns the end of an
-/// error text that describes the kept rows, or "".
-std::string keepRows(WholeFile& file, std::size_t rows)
+/// Keeps the rows written so far, because they cannot be recorded again. Returns a text about them.
+std::string keepRows(WholeFile& file, std::size_t rows, std::size_t remarks)
 {
-  const std::size_t lines = file.keepLines(2); // including the names of the columns
+  const std::size_t above = 1 + remarks; // lines with the names of the columns, and the setups
+  const std::size_t lines = file.keepLines(above + 1);
   return lines == 0 ? std::string()
-                    : "; the first " + std::to_string(lines - 1) + " of " + std::to_string(rows) +
-      " rows are kept in '" + file.unfinished() + "'";
+                    : "; the first " + std::to_string(lines - above) + " of " +
+      std::to_string(rows) + " rows are kept in '" + file.unfinished() + "'";
 }
 } // namespace
 
-std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks)
+std::string writeTrajectory(
+  const std::string& path, const std::vector<Tick>& ticks, const RecordedSetups& setups)
 {
   Trajectory trajectory;
+  if (!ticks.empty())
+  {
+    trajectory.setups = setups.between(ticks.front().time, ticks.back().time);
+  }
   trajectory.hasContact = true;
   trajectory.rows.reserve(ticks.size());
   for (const Tick& tick : ticks)
@@ -165,6 +177,11 @@ std::string writeTrajectory(const std::string& path, const Trajectory& trajector
     }
   }
   std::string text = names.line();
+  const std::vector<std::string> remarks = trajectory.setups.lines();
+  for (const std::string& remark : remarks)
+  {
+    text += "# " + remark + "\n";
+  }
   for (const TrajectoryRow& row : trajectory.rows)
   {
     const Numbers numbers = numbersOf(row);
@@ -185,7 +202,7 @@ std::string writeTrajectory(const std::string& path, const Trajectory& trajector
   }
   file.write(text);
   error = file.finish();
-  return error.empty() ? error : error + keepRows(file, trajectory.rows.size());
+  return error.empty() ? error : error + keepRows(file, trajectory.rows.size(), remarks.size());
 }
 
 std::string readTrajectory(std::istream& stream, const std::string& name, Trajectory& trajectory)

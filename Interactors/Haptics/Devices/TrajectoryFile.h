@@ -14,7 +14,9 @@ namespace palpate
 {
 /**
  * Writes one line per tick as CSV: time, tip, contact point, deflection, normal force, friction,
- * ideal force (magnitude of the total, before any limit of the device) and contact state. The
+ * ideal force (magnitude of the total, before any limit of the device) and contact state. Below the
+ * names of the columns stand lines "# tool: sphere:6.35" with the setups that were in use
+ * (RecordedSetups). The
  * contact is that of one scene, also while the sent force passes to another scene. If at least one
  * tick has such values, these columns follow: memory_force_N, the memory part of the
  * normal force (Contact::memory); axis_x..., the tool's axis from tip to hand (zero: unknown);
@@ -27,7 +29,8 @@ namespace palpate
  * written so far are kept in PATH.part, because they cannot be recorded again. The incomplete file
  * can be read, and the error contains its number of rows.
  */
-PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks);
+PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const std::vector<Tick>& ticks,
+  const RecordedSetups& setups = RecordedSetups());
 
 /**
  * Writes a trajectory: time and tip, and if the trajectory contains them, the columns of the
@@ -44,7 +47,7 @@ PALPATE_EXPORT std::string writeTrajectory(const std::string& path, const Trajec
  * any order, and other columns may be present. time_s and the three tip_*_mm are required. The ten
  * columns of the contact, the thirteen of the device and the three of the axis are optional, but
  * each group must be complete. memory_force_N and the three columns of the torque may be present
- * together with those of the contact.
+ * together with those of the contact. Lines of setups are optional, also each part of them.
  *
  * Returns an error, "file:line: fault", or "". Errors are: a missing or duplicate column, a line
  * with too few or too many fields, a field that is not a finite number, a state, button or flag

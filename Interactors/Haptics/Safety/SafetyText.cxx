@@ -17,7 +17,7 @@ constexpr std::pair<SafetyLink, const char*> Words[] = {
   { SafetyLink::Fit, nullptr }, // its text is the factor
   { SafetyLink::StiffnessCap, "stiffness capped" },
   { SafetyLink::Slew, "rise limited" },
-  { SafetyLink::Magnitude, "cut to the device's largest" },
+  { SafetyLink::Magnitude, "limited to the device's largest force" },
   { SafetyLink::Passivity, "damped against energy from nothing" },
   { SafetyLink::Watchdog, "no force: the device is silent" },
   { SafetyLink::NoSample, "no force: the device reports no position" },

@@ -176,6 +176,7 @@ void SceneSwitch::enter(const std::optional<ToolPose>* poses) noexcept
       ToolPose near = *poses[i];
       near.tip = old.contactPoint + Depth * (near.tip - old.contactPoint);
       this->Current->contacts.move(i, near);
+      this->Current->contacts.assumeFriction(i, this->Leaving->contacts);
     }
     this->Entering[i] = this->Entering[i] && !poses[i];
   }

@@ -114,8 +114,8 @@ struct SceneForce
  * scenes.
  *
  * The new contact begins at the position of the old one: under the same side of a thin body, if
- * both bodies have that side. The new contact begins without pre-sliding displacement, so that
- * friction builds up again; the old contact keeps its displacement until the end of the ramp. A
+ * both bodies have that side. The new contact continues with the pre-sliding displacement
+ * of the old one (Friction::assume), within its own limit of friction. A
  * scene that is passed during a ramp waits for the end of the ramp. Otherwise a third contact would
  * be necessary, or a force that does not respond to the hand. If several scenes wait, the newest is
  * used.

@@ -2,6 +2,7 @@
 #include "Interaction/Charts/ChartStyle.h"
 
 #include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/RoundSteps.h"
 
 #include "vtkAxis.h"
 #include "vtkBrush.h"
@@ -26,16 +27,6 @@ namespace
 // Distance between the title and the frame, as a fraction of a line's height.
 constexpr double TitleGap = 0.4;
 
-/// Returns the smallest step of the form 1, 2 or 5 times a power of ten that divides `span` into at
-/// most `steps` steps.
-double niceStep(double span, int steps)
-{
-  const double least = span / steps;
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
-  const double share = least / decade;
-  return decade * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
-}
-
 std::string textOf(double value)
 {
   std::array<char, 32> text{};
@@ -59,13 +50,15 @@ void setTicks(vtkAxis* axis, int first, int last, double step, const Label& labe
 }
 } // namespace
 
+const char* const BandLabel = "\u00b1 error";
+
 double fitAxis(vtkAxis* axis, double largest, int steps)
 {
   if (!(largest > 0.0) || !std::isfinite(largest))
   {
     return 0.0;
   }
-  const double step = niceStep(largest, steps);
+  const double step = roundStep(largest, steps);
   const int last = static_cast<int>(std::ceil(largest / step - 1e-9));
   setTicks(axis, 0, last, step, [step](int i) { return textOf(i * step); });
   axis->SetRange(0.0, last * step);
@@ -74,7 +67,7 @@ double fitAxis(vtkAxis* axis, double largest, int steps)
 
 void fitAxisBefore(vtkAxis* axis, double span, int steps)
 {
-  const double step = niceStep(span, steps);
+  const double step = roundStep(span, steps);
   const int first = -static_cast<int>(std::floor(span / step + 1e-9));
   setTicks(axis, first, 0, step, [step](int i) { return textOf(i * step); });
   axis->SetRange(-span, 0.0);
@@ -109,7 +102,7 @@ void setTitle(vtkChart* chart, const std::string& title)
   chart->SetTitle(title.empty() ? title : title + "\n ");
 }
 
-void addBand(vtkChart* chart, vtkTable* table, const Color& color)
+void addBand(vtkChart* chart, vtkTable* table, const Color& color, const std::string& label)
 {
   constexpr double Opacity = 0.22;
   auto* area = vtkPlotArea::SafeDownCast(chart->AddPlot(vtkChart::AREA));
@@ -120,6 +113,7 @@ void addBand(vtkChart* chart, vtkTable* table, const Color& color)
   }
   area->GetBrush()->SetColorF(color[0], color[1], color[2], Opacity);
   area->GetPen()->SetLineType(vtkPen::NO_PEN);
-  area->SetLegendVisibility(false);
+  area->SetLabel(label);
+  area->SetLegendVisibility(!label.empty());
 }
 } // namespace palpate

@@ -33,9 +33,12 @@ void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 void styleTitle(vtkChart* chart, int size);
 void setTitle(vtkChart* chart, const std::string& title);
 
-/// Adds a pale area between the second and the third column of a table, over its first column. The
-/// area has no entry in the legend.
-void addBand(vtkChart* chart, vtkTable* table, const Color& color);
+/// Adds a pale area between the second and the third column of a table over its first column; "":
+/// without an entry in the legend.
+void addBand(vtkChart* chart, vtkTable* table, const Color& color, const std::string& label);
+
+/// Entry in the legend for a band around a curve.
+extern const char* const BandLabel;
 } // namespace palpate
 
 #endif

@@ -57,6 +57,7 @@ void ContactCurvesChart::Line::show(const Curve& curve)
 
 ContactCurvesChart::ContactCurvesChart()
   : LiveChart("Curves at the contact", DeflectionName, "Normal force (N)")
+  , Memory(DeflectionName, "Memory (N)")
   , Now(DeflectionName, "Normal force now (N)")
 {
 }
@@ -70,12 +71,15 @@ void ContactCurvesChart::choose(const std::vector<Style>& styles)
   this->Styles = styles;
   this->chart()->ClearPlots();
   this->Lines.clear();
+  this->MemoryPlot = nullptr;
+  bool hasBand = false; // one entry in the legend
   for (const Style& style : styles)
   {
     auto line = std::make_unique<Line>(style.label);
     if (style.hasBand)
     {
-      addBand(this->chart(), line->band.table(), style.color);
+      addBand(this->chart(), line->band.table(), style.color, hasBand ? "" : BandLabel);
+      hasBand = true;
     }
     line->trusted.addLine(this->chart(), style.label, style.color, style.width);
     line->beyond.addLine(this->chart(), "", style.color, style.width, vtkPen::DOT_LINE);
@@ -83,6 +87,8 @@ void ContactCurvesChart::choose(const std::vector<Style>& styles)
   }
   if (!styles.empty())
   {
+    this->MemoryPlot = this->Memory.addLine(this->chart(), "Memory", MemoryForceColor, 3.0F);
+    this->MemoryPlot->SetVisible(false);
     this->Now.addMarker(this->chart(), "Now", ForceColor, 11.0F);
   }
 }
@@ -102,10 +108,21 @@ void ContactCurvesChart::show(const std::vector<Curve>& curves, double time)
   this->fitUp(largest, time);
 }
 
-void ContactCurvesChart::showPoint(double deflection, double force)
+void ContactCurvesChart::showPoint(double deflection, double force, double memory)
 {
   this->growAcross(deflection);
-  this->growUp(force);
+  this->growUp(std::max(force, force - memory));
+  this->Memory.begin();
+  if (memory != 0.0)
+  {
+    this->Memory.add(deflection, force - memory);
+    this->Memory.add(deflection, force);
+  }
+  this->Memory.end();
+  if (this->MemoryPlot)
+  {
+    this->MemoryPlot->SetVisible(memory != 0.0);
+  }
   this->Now.begin();
   this->Now.add(deflection, force);
   this->Now.end();
@@ -113,6 +130,8 @@ void ContactCurvesChart::showPoint(double deflection, double force)
 
 void ContactCurvesChart::hidePoint()
 {
+  this->Memory.begin();
+  this->Memory.end();
   this->Now.begin();
   this->Now.end();
 }

@@ -13,7 +13,8 @@
 namespace palpate
 {
 /// Chart of force (N) over deflection (mm) for several curves at a contact. The curves are dotted
-/// beyond validity, and a curve may have an error band. A running point shows the present force.
+/// beyond validity, and a curve may have an error band. A running point shows the present force. On
+/// a body that relaxes, a line to the point shows the part of the force that is memory.
 class ContactCurvesChart : public LiveChart
 {
 public:
@@ -49,8 +50,8 @@ public:
   void choose(const std::vector<Style>& styles);
   /// Shows one curve per style, at the time `time` (s).
   void show(const std::vector<Curve>& curves, double time);
-  /// showPoint places the running point, hidePoint hides it.
-  void showPoint(double deflection, double force);
+  /// Places or hides the running point; `memory` is the part of the force above the slow force, N.
+  void showPoint(double deflection, double force, double memory);
   void hidePoint();
 
 private:
@@ -66,6 +67,8 @@ private:
 
   std::vector<Style> Styles;
   std::vector<std::unique_ptr<Line>> Lines;
+  PlotTable Memory;
+  vtkPlot* MemoryPlot = nullptr; ///< owned by the chart; null without curves
   PlotTable Now;
 };
 } // namespace palpate

@@ -134,6 +134,21 @@ std::unique_ptr<ContactResponse> ContactResponse::read(
   three.range = range.data();
   three.status = status.data();
   std::unique_ptr<ContactResponse> response(new ContactResponse(three, triangle.weights));
+  if (all.tilt.areFelt())
+  {
+    response->Tilts = TiltTable(all.tilt.terms, all.tilt.drops, all.tilt.nodes);
+    const auto laws = static_cast<std::size_t>(all.tilt.terms.laws);
+    response->TiltWeights[0] = all.tilt.weight ? 0.0 : 1.0;
+    for (std::size_t k = 0; all.tilt.weight && k < 3; ++k)
+    {
+      const float* weights = all.tilt.weight + laws * static_cast<std::size_t>(corners[k]);
+      for (std::size_t law = 0; law < laws; ++law)
+      {
+        response->TiltWeights[law] +=
+          triangle.weights[static_cast<Eigen::Index>(k)] * static_cast<double>(weights[law]);
+      }
+    }
+  }
   auto* errors = vtkFloatArray::SafeDownCast(
     body->GetPointData()->GetArray(arrayName(name, ResponseArray::Error).c_str()));
   if (errors && errors->GetNumberOfTuples() == body->GetNumberOfPoints())
@@ -174,6 +189,17 @@ double ContactResponse::force(double deflection) const
 {
   return this->isSound() ? this->blend().evaluate(deflection).force
                          : std::numeric_limits<double>::quiet_NaN();
+}
+
+double ContactResponse::tiltedForce(double deflection, double angle) const
+{
+  const double upright = this->force(deflection);
+  if (!this->hasTilt() || !(deflection > 0.0))
+  {
+    return upright;
+  }
+  const TiltFactor factor = this->Tilts.at(deflection, angle, this->TiltWeights.data());
+  return factor.value * upright + factor.byDepth * this->blend().energy(deflection);
 }
 
 double ContactResponse::error(double deflection) const

@@ -3,6 +3,7 @@
 #define ContactResponse_h
 
 #include "Contact/ResponseField.h"
+#include "Mechanics/Tilt/TiltTable.h"
 
 #include "vtkType.h"
 
@@ -46,8 +47,11 @@ public:
   /// Blended force (N) and blended range (mm); NaN if a corner of weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
-  /// hasError: whether errors are stored. error: the estimated relative error of force(), blended
-  /// in the same way; NaN beyond a range.
+  /// Whether tilting the tool changes the force.
+  bool hasTilt() const { return this->Tilts.terms().areFelt(); }
+  /// The force of the tool tilted by `angle` (rad) with its deepest point at this deflection, N.
+  double tiltedForce(double deflection, double angle) const;
+  /// Estimated relative error of force(), blended in the same way; NaN beyond a range.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
   /// Depth to which all corners are valid, mm; infinite if the body has no validity.
@@ -64,8 +68,10 @@ private:
 
   ResponseField Field; ///< response of the three corners
   Vector3 Weights;
-  /// Errors at the samples of the three corners; empty if none are stored.
-  std::vector<float> Errors;
+  TiltTable Tilts;
+  std::array<double, TiltTerms::MostLaws> TiltWeights{}; ///< of the laws, at the contact
+  std::vector<float> Errors; ///< errors at the samples of the three corners; empty: no errors are
+                             ///< stored
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

@@ -93,7 +93,7 @@ void vtkLiveCharts::Parts::showCurves(const palpate::Tick& now, std::string& err
   }
   if (now.contact.triangle >= 0)
   {
-    this->curves.showPoint(now.contact.deflection, now.contact.normalForce);
+    this->curves.showPoint(now.contact.deflection, now.contact.normalForce, now.contact.memory);
   }
   else
   {
@@ -122,9 +122,17 @@ void vtkLiveCharts::Parts::showCorners(const palpate::ContactTriangle& place, st
     shown.back().error = [&response](double depth) { return response->error(depth); };
   }
   const auto& colors = palpate::CurveColors;
-  this->curves.choose({ { "Corner 1", colors[5], CornerWidth },
+  std::vector<palpate::ContactCurvesChart::Style> styles{ { "Corner 1", colors[5], CornerWidth },
     { "Corner 2", colors[4], CornerWidth }, { "Corner 3", colors[3], CornerWidth },
-    { "Blend", palpate::TextColor, BlendWidth, response->hasError() } });
+    { "Blend", palpate::TextColor, BlendWidth, response->hasError() } };
+  if (this->isTilted() && response->hasTilt())
+  {
+    styles.push_back({ "Tilted", palpate::TorqueColor, BlendWidth });
+    shown.push_back({ [&response, tilt = this->touched.contact.tilt](double depth)
+      { return response->tiltedForce(depth, tilt); },
+      shown.back().end, response->validity() });
+  }
+  this->curves.choose(styles);
   this->curves.show(shown, this->time.now());
 }
 
@@ -146,7 +154,9 @@ void vtkLiveCharts::Parts::showCompared(const palpate::ContactTriangle& place, s
         : tool.empty()                ? each
                                       : tool,
       colors[styles.size() % colors.size()], ComparedWidth, response->hasError() });
-    shown.push_back({ [response](double depth) { return response->force(depth); },
+    const double tilt = this->isTilted() ? this->touched.contact.tilt : 0.0;
+    shown.push_back({ [response, tilt](double depth)
+      { return tilt > 0.0 ? response->tiltedForce(depth, tilt) : response->force(depth); },
       response->range(), response->validity() });
     if (response->hasError())
     {

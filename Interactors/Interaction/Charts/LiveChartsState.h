@@ -70,6 +70,12 @@ struct vtkLiveCharts::Parts
   /// Changes to the responses of a body, if they differ from the present ones.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
+  /// Whether the newest contact is tilted so much that its curve differs visibly.
+  bool isTilted() const
+  {
+    constexpr double upright = 1e-3; // rad, as in the caption
+    return this->touched.contact.tilt > upright;
+  }
   void add(const palpate::Tick& felt);
   void showCurves(const palpate::Tick& now, std::string& error);
   void showCorners(const palpate::ContactTriangle& place, std::string& error);

@@ -125,6 +125,28 @@ double ForceTrail::largestForce() const
   return largest;
 }
 
+std::vector<LabelObstacle> ForceTrail::segments(std::size_t most) const
+{
+  std::vector<LabelObstacle> pieces;
+  const std::size_t count = this->Contacts.size();
+  const std::size_t each = count / std::max<std::size_t>(most, 1) + 1;
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const bool ends = i + 1 == count || this->Contacts[i + 1].begins;
+    if (this->Contacts[i].begins)
+    {
+      from = i;
+    }
+    else if (i - from >= each || ends)
+    {
+      pieces.push_back({ this->Contacts[from].point, this->Contacts[i].point, TrailRadius });
+      from = i;
+    }
+  }
+  return pieces;
+}
+
 std::string ForceTrail::gapsInWords() const
 {
   bool isBroken = false;

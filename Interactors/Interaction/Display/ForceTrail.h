@@ -2,6 +2,7 @@
 #ifndef ForceTrail_h
 #define ForceTrail_h
 
+#include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/ShownContact.h"
 
 #include "vtkSmartPointer.h"
@@ -49,6 +50,8 @@ public:
   /// Returns an explanation of the gaps, "gap: no contact", and of the dashes, "dashed: beyond
   /// validity"; "" if there are neither.
   std::string gapsInWords() const;
+  /// The line as at most `most` straight pieces, which labels leave free.
+  std::vector<LabelObstacle> segments(std::size_t most) const;
   vtkActor* actor() { return this->Actor; }
 
 private:

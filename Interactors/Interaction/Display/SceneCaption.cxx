@@ -25,6 +25,7 @@ constexpr double Bottom = 14.0;      // pixels
 constexpr double LetterWidth = 0.52; // fraction of the font's size, on average
 constexpr double LineSpacing = 1.2;  // multiple of the font's height
 constexpr int FontSize = 17;
+constexpr double BackgroundOpacity = 0.75;
 constexpr int SmallFontSize = 14;
 constexpr double NarrowWidth = 400.0; // pixels
 
@@ -117,6 +118,8 @@ SceneCaption::SceneCaption()
   vtkTextProperty* text = this->Actor->GetTextProperty();
   text->SetColor(TextColor.data());
   text->SetLineSpacing(LineSpacing);
+  text->SetBackgroundColor(BackgroundColor.data()); // the body may be behind the text
+  text->SetBackgroundOpacity(BackgroundOpacity);
   this->Actor->SetPosition(Left, Bottom);
 }
 
@@ -185,7 +188,7 @@ void SceneCaption::addHand(int number, const ShownContact& contact)
 void SceneCaption::write(double width)
 {
   std::string all;
-  for (const std::string& part : { this->Title, this->Contact, this->Remark })
+  for (const std::string& part : { this->Title, this->Contact, this->State, this->Remark })
   {
     all += all.empty() || part.empty() ? part : "\n" + part;
   }

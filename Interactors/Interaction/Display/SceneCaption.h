@@ -23,7 +23,9 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// Sets the text about the contact. The next write() shows it.
+  /// A remark on the state of the session, below the contact.
+  void setState(const std::string& state) { this->State = state; }
+  /// Sets the text of the contact, which the next write() shows.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
   /// Adds a line for another hand. Call it after describe().
@@ -42,6 +44,7 @@ private:
   double Height = 0.0;
   std::string Title;
   std::string Contact;
+  std::string State;
   std::string Remark;
   vtkSmartPointer<vtkTextActor> Actor;
 };

@@ -4,6 +4,7 @@
 #include "Interaction/Display/SceneView.h"
 
 #include "Interaction/Display/DisplayColors.h"
+#include "Interaction/Display/RoundSteps.h"
 #include "Response/RoundNumber.h"
 
 #include "vtkActor2D.h"
@@ -61,19 +62,19 @@ void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
 }
 
 const std::string ForceTitle = "Force (N)";
+const std::string DisplacementTitle = "Displacement (mm)";
 
 void setLegendTitle(vtkScalarBarActor* legend, const std::string& title)
 {
   legend->SetTitle((title + "\n ").c_str()); // the empty line makes a gap above the bar
 }
 
-/// Sets the style of a legend: a narrow bar with a title and five numbers in `fontSize` points.
+/// Styles a legend: a narrow bar with a title and numbers in `fontSize` points.
 void styleLegend(
   vtkScalarBarActor* legend, vtkLookupTable* table, const std::string& title, int fontSize)
 {
   legend->SetLookupTable(table);
   setLegendTitle(legend, title);
-  legend->SetNumberOfLabels(5);
   legend->SetLabelFormat("%.2f");
   legend->SetBarRatio(0.25);
   legend->UnconstrainedFontSizeOn();
@@ -103,12 +104,30 @@ SceneLegends::SceneLegends()
   fillColors(this->DisplacementColors, DeflectionColors);
   this->DisplacementColors->SetVectorModeToMagnitude();
   fillColors(this->ForceColors, TrailColors);
-  styleLegend(this->Displacement, this->DisplacementColors, "Displacement (mm)", LegendSize);
+  styleLegend(this->Displacement, this->DisplacementColors, DisplacementTitle, LegendSize);
   styleLegend(this->Force, this->ForceColors, ForceTitle, LegendSize);
   this->Force->SetLabelFormat("%.4g");
 }
 
 SceneLegends::~SceneLegends() = default;
+
+void SceneLegends::setLargestDisplacement(double largest)
+{
+  this->DisplacementColors->SetTableRange(0.0, largest);
+  this->Displacement->SetNumberOfLabels(labelsOfBar(largest));
+}
+
+void SceneLegends::setLargestForce(double largest)
+{
+  this->ForceColors->SetTableRange(0.0, largest);
+  this->Force->SetNumberOfLabels(labelsOfBar(largest));
+}
+
+void SceneLegends::explainCircle(bool explains)
+{
+  setLegendTitle(
+    this->Displacement, DisplacementTitle + (explains ? "\nblue circle: contact" : ""));
+}
 
 void SceneLegends::explainGaps(const std::string& words)
 {

@@ -33,7 +33,13 @@ public:
   vtkScalarBarActor* displacement() { return this->Displacement; }
   vtkScalarBarActor* force() { return this->Force; }
 
-  /// Adds an explanation of gaps to the title of the trail's legend. "" adds none.
+  /// Sets the end of a scale, with labels at round steps.
+  void setLargestDisplacement(double largest);
+  void setLargestForce(double largest);
+
+  /// Whether the title of the displacement explains the contact circle.
+  void explainCircle(bool explains);
+  /// Adds an explanation of gaps to the title of the trail's legend; "": none.
   void explainGaps(const std::string& words);
 
   /// Fraction of a viewport's width that the column of legends takes.

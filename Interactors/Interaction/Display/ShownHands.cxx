@@ -81,6 +81,11 @@ void ShownHands::setVisibility(bool visible)
   }
 }
 
+void ShownHands::leaveFree(std::vector<LabelObstacle> obstacles)
+{
+  this->tool()->LeaveFree(std::move(obstacles)); // the labels of the others avoid what these avoid
+}
+
 void ShownHands::setSteadyLabels(bool steady)
 {
   for (const Hand& hand : this->Hands)

@@ -2,6 +2,7 @@
 #ifndef ShownHands_h
 #define ShownHands_h
 
+#include "Interaction/Display/LabelLayout.h"
 #include "Interaction/Display/ShownContact.h"
 
 #include "vtkActor.h"
@@ -65,6 +66,8 @@ public:
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);
+  /// Parts of the scene that the labels of all hands leave free.
+  void leaveFree(std::vector<LabelObstacle> obstacles);
   void setSteadyLabels(bool steady);
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }

@@ -286,6 +286,7 @@ bool ContactControls::update()
   const auto now = std::chrono::steady_clock::now();
   this->BusySince = this->Setup->IsBusy() ? this->BusySince : now;
   this->Waits = now - this->BusySince > Patience;
+  this->scene()->SetNotice(this->isWaiting() ? this->Setup->GetPendingText() : std::string());
   if (!this->Setup->Collect())
   {
     return false;
@@ -371,6 +372,11 @@ std::string ContactControls::status() const
   if (this->Style->IsPointerOffBody())
   {
     return "pointer off the body: the tool keeps its place";
+  }
+  if (this->Style->IsAtGreatestDepth())
+  {
+    return "the greatest depth of these curves, " + digits(this->Style->GetMaximumDepth(), 3) +
+      " mm";
   }
   return files ? files->GetNotice() : std::string();
 }

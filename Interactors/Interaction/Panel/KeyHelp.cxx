@@ -21,6 +21,7 @@ namespace
 {
 constexpr int KeyFontSize = 15;
 constexpr int SmallestFontSize = 9;
+constexpr double LineSpacing = 1.3;
 constexpr int TextMargin = 22; // pixels, around the text
 constexpr int Gap = 28;        // pixels, between the columns
 constexpr int TopLayer = 5;
@@ -41,11 +42,14 @@ KeyHelp::KeyHelp()
     actor->SetLayerNumber(TopLayer);
     vtkTextProperty* look = actor->GetTextProperty();
     look->SetFontSize(KeyFontSize);
-    look->SetLineSpacing(1.3);
+    look->SetLineSpacing(LineSpacing);
     look->SetColor(TextColor.data());
     look->SetVerticalJustificationToTop();
   }
   this->Keys->GetTextProperty()->SetColor(KeyColor.data());
+  // In VTK's proportional font [ ] look like ( ).
+  this->Keys->GetTextProperty()->SetFontFamilyToCourier();
+  this->Keys->GetTextProperty()->SetBold(1);
 }
 
 KeyHelp::~KeyHelp()
@@ -112,8 +116,15 @@ void KeyHelp::place()
   {
     this->Keys->GetTextProperty()->SetFontSize(fontSize);
     this->Meanings->GetTextProperty()->SetFontSize(fontSize);
-    this->Keys->GetSize(this->Renderer, keys);
     this->Meanings->GetSize(this->Renderer, meanings);
+    // Lines of both columns stand side by side, whatever the heights of their fonts.
+    double spacing = LineSpacing;
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Keys->GetTextProperty()->SetLineSpacing(spacing);
+      this->Keys->GetSize(this->Renderer, keys);
+      spacing *= keys[1] > 0.0 ? meanings[1] / keys[1] : 1.0;
+    }
     return std::pair(keys[0] + Gap + meanings[0] + 2 * TextMargin,
       std::max(keys[1], meanings[1]) + 2 * TextMargin);
   };

@@ -26,6 +26,7 @@ std::string openReplay(const std::string& file, SessionDevice& device)
   {
     row.time -= begin;
   }
+  opened.trajectory.setups.shift(begin);
   device = std::move(opened);
   return {};
 }

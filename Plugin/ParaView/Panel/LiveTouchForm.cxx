@@ -209,7 +209,7 @@ void LiveTouchForm::showTouch(LiveTouchSession& touch, double rate)
     isLost ? text("device lost: " + session->GetDevice()->GetStatus())
            : QString(palpate::contactInWords(session->GetContactState())));
   QStringList remarks;
-  for (const std::string& words : { touch.error(), session->GetSafetyText(), touch.warning() })
+  for (const std::string& words : { touch.error(), session->GetSafetyText(), session->GetReplayText(), touch.warning() })
   {
     if (!words.empty())
     {
@@ -223,7 +223,7 @@ void LiveTouchForm::showTouch(LiveTouchSession& touch, double rate)
   set(this->remark, remarks.join("; "));
   this->bar->setScale(1.2 * std::min(most, touch.peakForce()), most);
   this->bar->setForce(vtkMath::Norm(applied), vtkMath::Norm(ideal));
-  set(this->force, QString("%1 N").arg(vtkMath::Norm(applied), 0, 'f', 3));
+  set(this->force, QString::asprintf("%#.3g N", vtkMath::Norm(applied)));
   set(this->error, errorOf(session));
   const Contact contact = session->GetNewestTick().contact;
   const std::string told = memoryInWords(contact.normalForce, contact.memory);

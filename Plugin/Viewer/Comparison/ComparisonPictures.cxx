@@ -67,7 +67,8 @@ std::string pressAndSlide(
   // The path is approach, press, slide ...: see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);
   press.pressed = static_cast<vtkIdType>(std::lround(slide * options.rate));
-  return writeTrajectory(file, session->GetRecorder()->GetTicks());
+  return writeTrajectory(
+    file, session->GetRecorder()->GetTicks(), session->GetRecorder()->GetSetups());
 }
 
 std::string drawComparison(const std::string& file, const std::array<ComparedBody, 2>& bodies,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DetectabilityMap.h"
 
+#include "Interaction/Display/RoundSteps.h"
 #include "Mechanics/JoinedText.h"
 #include "MapColors.h"
 #include "MapStage.h"
@@ -48,7 +49,7 @@ vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
   return shown;
 }
 
-/// The largest change for any tool, in per cent, rounded up to a multiple of ten.
+/// The largest change for any tool, in per cent, rounded up to a round step of the legend.
 double largestOf(vtkPolyData* body)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -59,7 +60,8 @@ double largestOf(vtkPolyData* body)
     change->GetFiniteRange(range.data(), tool);
     largest = std::max(largest, 100.0 * range[1]);
   }
-  return 10.0 * std::ceil(largest / 10.0);
+  const double step = roundStep(largest, 6);
+  return step * std::ceil(largest / step);
 }
 
 void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
@@ -147,9 +149,10 @@ std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene&
     addChange(stage, changeOf(scene.body, static_cast<int>(i)), colors,
       maps == 1 ? alone[0] : places[i], scene.tools[i]);
   }
-  const std::string all =
-    joined(scene.title, "\npressed up to ", scene.depth, " mm deep\nlined: from ",
-      PerceptibleChange, " %, the least that a hand feels\n \n", describeNodules(scene, true));
+  const std::string all = joined(scene.title, "\npressed up to ", scene.depth,
+    " mm deep\nlined: from ", PerceptibleChange,
+    " %, the least that a hand feels\ngrey: not searched, so no force is known there\n \n",
+    describeNodules(scene, true));
   stage.addWords(all, maps == 1 ? alone[1] : places[maps]);
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(PhantomField[0] - ViewMargin, PhantomField[2] - ViewMargin, 0.0);

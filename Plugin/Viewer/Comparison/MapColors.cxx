@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapColors.h"
 
+#include "Interaction/Display/RoundSteps.h"
 #include "Interaction/Display/SceneView.h"
 
 #include "vtkActor.h"
@@ -31,7 +32,8 @@ vtkSmartPointer<vtkScalarBarActor> makeBar(
   bar->SetLookupTable(colors);
   bar->SetTitle(title.c_str());
   bar->SetLabelFormat(labelFormat);
-  bar->SetNumberOfLabels(5);
+  const double* range = colors->GetTableRange();
+  bar->SetNumberOfLabels(range[0] == 0.0 ? labelsOfBar(range[1]) : 5);
   bar->SetBarRatio(0.25);
   bar->UnconstrainedFontSizeOn();
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })

@@ -2,11 +2,13 @@
 #include "PhantomBody.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkAppendPolyData.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkNoduleMaterial.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkRegularPolygonSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -201,5 +203,23 @@ vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, doubl
   }
   material->Update();
   return material->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> outlineNodules()
+{
+  constexpr int corners = 64;
+  vtkNew<vtkAppendPolyData> all;
+  for (const PhantomNodule& nodule : PhantomNodules)
+  {
+    vtkNew<vtkRegularPolygonSource> circle;
+    circle->GeneratePolygonOff();
+    circle->SetNumberOfSides(corners);
+    circle->SetRadius(nodule.radius);
+    circle->SetCenter(nodule.x, nodule.y, 0.0);
+    circle->Update();
+    all->AddInputData(circle->GetOutput());
+  }
+  all->Update();
+  return all->GetOutput();
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 #ifndef palpate_PhantomBody_h
 #define palpate_PhantomBody_h
 
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -39,6 +40,9 @@ constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
  * 0.75 to 1 mm long at the nodules to a depth of 9 mm, and longer elsewhere.
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
+
+/// The outlines of the nodules on the skin, as closed lines.
+vtkSmartPointer<vtkPolyData> outlineNodules();
 } // namespace palpate
 
 #endif

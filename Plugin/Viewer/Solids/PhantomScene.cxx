@@ -133,6 +133,8 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
   scene.modelReason = joined("finite elements of the whole; hard nodules, ", NoduleHardness,
     " times as stiff, of 1.5, 3 and 5 mm, which begin 1, 2 and 3 mm under the skin, in a bonded "
     "box");
+  scene.marks = outlineNodules();
+  scene.marksInWords = "Black circles: nodules under the skin, seen from above";
   scene.depth = UsualDepth;
   // The path starts above the nodule of 3 mm radius whose top is 2 mm deep. It ends above the
   // nodule of 3 mm radius whose top is 1 mm deep.

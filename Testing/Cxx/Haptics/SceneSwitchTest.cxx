@@ -118,6 +118,7 @@ TEST(SceneSwitch, ForceGoesOverWithoutAStepFactorsIncluded)
           scenes.change(sceneOf(hard, factor, friction));
           EXPECT_TRUE(scenes.isSwitching());
           after.contact.update(old.contactPoint + 0.1 * (tipAt(i) - old.contactPoint));
+          after.contact.assumeFriction(before.contact);
         }
         if (i >= 100)
         {
@@ -277,33 +278,74 @@ TEST(SceneSwitch, TheSideOfAThinBodyIsKept)
   EXPECT_EQ(scenes.update(deep, Period, Infinity).contact.state, ContactState::Slide);
 }
 
-TEST(SceneSwitch, FrictionOfTheNewBeginsAtRestAndOfTheOldLasts)
+TEST(SceneSwitch, FrictionContinuesWithinTheLimitOfTheNewContact)
 {
-  const Surface slab = subdivided(block(40, 40, 10), 4);
-  const auto body = stiffened(slab, 1.0F);
-  SceneSwitch scenes(sceneOf(body, 1.0, 0.5));
+  const auto body = stiffened(subdivided(block(40, 40, 10), 4), 1.0F);
+  const auto with = [&body](FrictionModel model, double coefficient, double stiffness)
+  {
+    ContactSettings settings;
+    settings.friction.model = model;
+    settings.friction.coefficient = coefficient;
+    settings.friction.tangentialStiffness = stiffness;
+    return std::make_unique<ServoScene>(body, settings);
+  };
+  // The old contact slides at μ 10 N = 5 N, with z = 0.5 mm at 10 N/mm.
+  const struct
+  {
+    FrictionModel model;
+    double coefficient;
+    double stiffness;                                             // N/mm
+    double expected;                                              // N
+  } cases[] = { { FrictionModel::ElastoPlastic, 0.5, 10.0, 5.0 }, // the same
+    { FrictionModel::ElastoPlastic, 0.2, 10.0, 2.0 },             // the limit
+    { FrictionModel::ElastoPlastic, 0.5, 20.0, 5.0 },             // stiffer: the force is kept
+    { FrictionModel::ElastoPlastic, 0.5, 4.0, 2.0 },   // softer: the displacement is kept
+    { FrictionModel::Dahl, 0.5, 4.0, 2.0 },            // the same z
+    { FrictionModel::ElastoPlastic, 0.0, 10.0, 0.0 },  // no friction
+    { FrictionModel::ShapeDerived, 0.5, 10.0, 0.0 } }; // other displacements: from rest
+  for (const auto& next : cases)
+  {
+    SceneSwitch scenes(with(FrictionModel::ElastoPlastic, 0.5, 10.0));
+    Vector3 tip(15.0, 20.0, 9.0);
+    for (int i = 0; i < 1000; ++i) // slides 5 mm
+    {
+      tip.x() += 0.005;
+      scenes.update(tip, Period, Infinity);
+    }
+    EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), -5.0, 1e-3); // float32
+    scenes.change(with(next.model, next.coefficient, next.stiffness));
+    for (int i = 0; i <= 50; ++i) // the tip is at rest
+    {
+      const SceneForce felt = scenes.update(tip, Period, Infinity);
+      EXPECT_NEAR(felt.contact.friction.x(), -next.expected, 1e-3);
+      EXPECT_NEAR(
+        felt.idealForce.x(), -(1.0 - PerTick * i) * 5.0 - PerTick * i * next.expected, 2e-3);
+    }
+  }
+}
+
+TEST(SceneSwitch, StuckFrictionFromTheResponseContinues)
+{
+  const auto body = stiffened(subdivided(block(40, 40, 10), 4), 1.0F);
+  ContactSettings settings;
+  settings.friction.model = FrictionModel::ShapeDerived;
+  settings.friction.coefficient = 0.5;
+  SceneSwitch scenes(std::make_unique<ServoScene>(body, settings));
   Vector3 tip(15.0, 20.0, 9.0);
-  for (int i = 0; i < 1000; ++i) // slides 5 mm
+  scenes.update(tip, Period, Infinity);
+  tip.x() += 0.05; // of μ c δ = 0.75 mm at which it slides
+  const double stuck = scenes.update(tip, Period, Infinity).contact.friction.x();
+  EXPECT_LT(stuck, -0.1);
+  scenes.change(std::make_unique<ServoScene>(body, settings));
+  for (int i = 0; i <= 50; ++i)
   {
-    tip.x() += 0.005;
-    scenes.update(tip, Period, Infinity);
+    EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), stuck, 1e-9);
   }
-  const double sliding = scenes.update(tip, Period, Infinity).contact.friction.x();
-  EXPECT_NEAR(sliding, -5.0, 1e-3); // μ times 10 N, stored as float32
-  scenes.change(sceneOf(body, 1.0, 0.5));
-  double last = sliding;
-  for (int i = 0; i <= 50; ++i) // the tip is at rest
-  {
-    const SceneForce felt = scenes.update(tip, Period, Infinity);
-    EXPECT_EQ(felt.contact.friction, Vector3::Zero()) << "no pre-sliding displacement";
-    EXPECT_EQ(felt.contact.state, ContactState::Stick);
-    EXPECT_NEAR(felt.idealForce.x(), (1.0 - PerTick * i) * sliding, 1e-9);
-    EXPECT_LE(std::abs(felt.idealForce.x() - last), -sliding * PerTick + 1e-9);
-    last = felt.idealForce.x();
-  }
-  // Friction builds up in the usual way: 10 N/mm over 0.1 mm. Below breakaway there is no creep.
-  tip.x() += 0.1;
-  EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), -1.0, 1e-6);
+  // A smaller Poisson's ratio: c falls from 1.5 to 1, the tangential springs are 1.5 times as
+  // stiff, and they keep their force.
+  settings.friction.poissonRatio = 0.0;
+  scenes.change(std::make_unique<ServoScene>(body, settings));
+  EXPECT_NEAR(scenes.update(tip, Period, Infinity).contact.friction.x(), stuck, 1e-9);
 }
 
 TEST(SceneSwitch, ReachIsWhatTheContactCanGiveBack)

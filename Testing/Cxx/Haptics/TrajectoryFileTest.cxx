@@ -167,6 +167,88 @@ TEST(TrajectoryFile, ReadsWhatItWroteToTheSameBits)
   }
 }
 
+TEST(TrajectoryFile, NamesBodyToolAndMaterialFromTheirTimesOn)
+{
+  using palpate::SetupPart;
+  palpate::RecordedSetup setup;
+  setup[SetupPart::Body] = "liver, left:\nlobe.stl"; // no line break reaches the file
+  setup[SetupPart::Tool] = "sphere:6.35";
+  setup[SetupPart::Material] = "E = 0.05 MPa, nu = 0.45";
+  palpate::RecordedSetups setups;
+  setups.add(0.0, setup);
+  setup[SetupPart::Tool] = "flat:1.6";
+  setups.add(0.25, setup);
+  setups.add(0.3, setup); // no change
+  setup[SetupPart::Tool] = "cone:60";
+  setup[SetupPart::Material] = "E = 1 MPa, nu = 0.45";
+  setups.add(0.5, setup);
+  setups.add(7.0, palpate::RecordedSetup()); // after the last tick
+  std::vector<Tick> ticks(4);
+  const double times[] = { 0.1, 0.2, 0.3, 0.6 };
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+  {
+    ticks[i].time = times[i];
+  }
+  const ScratchFile file(".csv");
+  ASSERT_EQ(palpate::writeTrajectory(file.path(), ticks, setups), "");
+  EXPECT_EQ(firstLine(file.path()), Columns); // programs that read the first line find the names
+  std::ifstream stream(file.path());
+  std::string line;
+  std::getline(stream, line);
+  for (const char* expected : { "# body: liver, left: lobe.stl", "# tool: sphere:6.35",
+         "# material: E = 0.05 MPa, nu = 0.45", "# tool from 0.25 s: flat:1.6",
+         "# tool from 0.5 s: cone:60", "# material from 0.5 s: E = 1 MPa, nu = 0.45" })
+  {
+    std::getline(stream, line);
+    EXPECT_EQ(line, expected);
+  }
+  std::getline(stream, line);
+  EXPECT_EQ(line.front(), '0');
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(file.path(), read), "");
+  EXPECT_EQ(read.rows.size(), ticks.size());
+  const auto toolAt = [&read](double time) { return (*read.setups.at(time))[SetupPart::Tool]; };
+  EXPECT_EQ(toolAt(-1.0), "sphere:6.35");
+  EXPECT_EQ(toolAt(0.249), "sphere:6.35");
+  EXPECT_EQ(toolAt(0.25), "flat:1.6");
+  EXPECT_EQ(toolAt(0.6), "cone:60");
+  EXPECT_EQ((*read.setups.at(0.4))[SetupPart::Material], "E = 0.05 MPa, nu = 0.45");
+  EXPECT_EQ(read.setups.lines().size(), 6U);
+}
+
+TEST(TrajectoryFile, OldFilesAndRemarksOfOthersNameNoSetup)
+{
+  for (const char* text :
+    { "", "# tools: none\n# from 3 s\n# tool from soon s: flat:1\n#\n#tool\n" })
+  {
+    std::istringstream stream(text + Head + text + "0,1,2,3\n" + text + "1,1,2,3\n");
+    Trajectory read;
+    EXPECT_EQ(palpate::readTrajectory(stream, "t.csv", read), "");
+    EXPECT_EQ(read.rows.size(), 2U);
+    EXPECT_TRUE(read.setups.isEmpty());
+    EXPECT_EQ(palpate::replayInWords(read.setups, 0.0, {}),
+      "Replay: the record names neither tool nor material");
+  }
+}
+
+TEST(TrajectoryFile, AReplayNamesWhatDiffers)
+{
+  using palpate::SetupPart;
+  std::istringstream stream(
+    "# tool: sphere:1.6\n" + Head + "# material: E = 1 MPa, nu = 0.5\n0,1,2,3\n");
+  Trajectory read;
+  ASSERT_EQ(palpate::readTrajectory(stream, "t.csv", read), "");
+  palpate::RecordedSetup here;
+  here[SetupPart::Body] = "ball.stl"; // not recorded: not compared
+  here[SetupPart::Tool] = "sphere:1.6";
+  here[SetupPart::Material] = "E = 1 MPa, nu = 0.5";
+  EXPECT_EQ(palpate::replayInWords(read.setups, 0.0, here),
+    "Replay: recorded with tool sphere:1.6, material E = 1 MPa, nu = 0.5");
+  here[SetupPart::Tool] = "flat:2";
+  EXPECT_EQ(palpate::replayInWords(read.setups, 0.0, here),
+    "Replay: recorded with another setup: tool sphere:1.6 (here flat:2)");
+}
+
 TEST(TrajectoryFile, TicksOfAServoStep)
 {
   std::vector<Tick> ticks(4);
@@ -326,7 +408,11 @@ TEST(TrajectoryFile, OnAFullDiskTheFirstRowsAreKeptAndTheOldFileStands)
   const std::string part = file.path() + ".part";
   const Trajectory old = anyTrajectory(false, false);
   ASSERT_EQ(palpate::writeTrajectory(file.path(), old), "");
-  const Trajectory trajectory = anyTrajectory(true, true);
+  Trajectory trajectory = anyTrajectory(true, true);
+  palpate::RecordedSetup setup; // two lines below the names of the columns
+  setup[palpate::SetupPart::Body] = "ball.stl";
+  setup[palpate::SetupPart::Tool] = "flat:1";
+  trajectory.setups.add(0.0, setup);
   for (const std::size_t room :
     { 300U, 5000U }) // bytes; space for the names of the columns only, or also for some rows
   {

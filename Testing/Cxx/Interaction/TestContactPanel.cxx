@@ -3,8 +3,11 @@
 // each change is compared with the closed form of the tool.
 #include "Picture.h"
 #include "SceneBodies.h"
+#include "SceneParts.h"
 
+#include "Haptics/Devices/TrajectoryFile.h"
 #include "Haptics/Servo/ServoStep.h"
+#include "Interaction/Session/SessionSetup.h"
 
 #include "vtkContactPanel.h"
 #include "vtkContactScene.h"
@@ -20,6 +23,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -46,16 +50,23 @@ struct Window
   vtkNew<vtkInteractorStyleHaptic> style;
   vtkNew<vtkContactPanel> panel;
 
-  Window()
+  /// With `scanned`, responses of a layer differ from point to point, and take seconds to compute.
+  explicit Window(int cells = 60, bool scanned = false)
   {
     this->interactor->SetRenderWindow(this->picture.window);
-    this->setup->SetBody(planeBody(15.0, 60));
+    const Body body = planeBody(15.0, cells);
+    if (scanned)
+    {
+      pointArray(body, "LayerThickness",
+        [](vtkIdType i) { return 8.0 + 3.0 * std::sin(static_cast<double>(i)); });
+    }
+    this->setup->SetBody(body);
     this->setup->AddTool(makeTool("sphere:5"));
     this->setup->AddTool(makeTool("flat:1"));
     this->setup->AddTool(makeTool("cone:60"));
     this->setup->SetYoungsModulus(0.05);
     this->setup->SetPoissonRatio(Poisson);
-    this->setup->SetLayerThickness(8.0);
+    this->setup->SetLayerThickness(scanned ? 0.0 : 8.0);
     PALPATE_CHECK(this->setup->Update());
     this->scene->SetRenderer(this->left);
     this->setup->ShowIn(this->scene);
@@ -308,6 +319,80 @@ void checkWholeStatus(Window& w)
   w.files->SetOutputFolder(folder.string());
 }
 
+/// The wheel stops at the largest depth of the curves, and the status says so.
+void checkGreatestDepth(Window& w)
+{
+  w.left->SetWorldPoint(3.0, 2.0, 0.0, 1.0);
+  w.left->WorldToDisplay();
+  const double* place = w.left->GetDisplayPoint();
+  const int over[2] = { static_cast<int>(place[0]), static_cast<int>(place[1]) };
+  w.send(vtkCommand::MouseMoveEvent, over);
+  for (int notch = 0; notch < 20; ++notch)
+  {
+    w.send(vtkCommand::MouseWheelForwardEvent, over);
+  }
+  w.clock->ShowFrame();
+  PALPATE_CHECK_NEAR(w.style->GetWheelDepth(), w.style->GetMaximumDepth(), 1e-9);
+  PALPATE_CHECK(w.panel->GetStatus().empty()); // exactly there
+  w.send(vtkCommand::MouseWheelForwardEvent, over);
+  w.clock->ShowFrame();
+  PALPATE_CHECK_TEXT(w.panel->GetStatus(), "the greatest depth of these curves, 2 mm");
+  w.send(vtkCommand::MouseWheelBackwardEvent, over);
+  w.clock->ShowFrame();
+  PALPATE_CHECK(w.panel->GetStatus().empty());
+}
+
+/// While responses are computed, the button Cancel stands in the row of the status and moves no
+/// other row; the caption says whose force it still shows. Leaves the picture of that state.
+void checkWaiting(Window& w, const char* folder)
+{
+  w.press("Layer");
+  w.setup->SetPoissonRatio(0.3);
+  w.clock->ShowFrame(); // requests the responses; the button appears later
+  int nowhere[2];
+  PALPATE_CHECK(!w.panel->FindButton("Cancel", nowhere));
+  const auto before = draw(w.picture.window);
+  for (int i = 0; i < 20000 && !w.panel->FindButton("Cancel", nowhere); ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    w.clock->ShowFrame();
+  }
+  int cancel[2];
+  int last[2];
+  PALPATE_CHECK(w.panel->FindButton("Cancel", cancel) && w.panel->FindButton("Picture", last));
+  PALPATE_CHECK(cancel[1] < last[1]);
+  PALPATE_CHECK_TEXT(w.panel->GetStatus(), "computing the responses: ");
+  PALPATE_CHECK_TEXT(caption(w.left), "Computing: still the force of nu = 0.4");
+  const auto during = draw(w.picture.window);
+  writePicture(during, std::string(folder) + "/TestContactPanel-waiting.png");
+  constexpr int halfButton = 14; // pixels
+  const int* size = before->GetDimensions();
+  int changed = 0;
+  for (int y = last[1] - halfButton; y < size[1]; ++y)
+  {
+    for (int x = 3 * size[0] / 4; x < size[0]; ++x)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        changed += before->GetScalarComponentAsDouble(x, y, 0, k) !=
+          during->GetScalarComponentAsDouble(x, y, 0, k);
+      }
+    }
+  }
+  PALPATE_CHECK(changed == 0);
+  // The progress differs from run to run.
+  vtkPropCollection* props = w.right->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    auto* text = vtkTextActor::SafeDownCast(props->GetItemAsObject(i));
+    if (text && text->GetInput() && std::string(text->GetInput()).rfind("computing", 0) == 0)
+    {
+      text->VisibilityOff();
+    }
+  }
+  w.left->RemoveAllViewProps();
+}
+
 void checkSession(Window& w)
 {
   const auto folder = std::filesystem::current_path() / "TestContactPanel";
@@ -318,7 +403,13 @@ void checkSession(Window& w)
   PALPATE_CHECK_TEXT(w.panel->GetStatus(), "recording", " s");
   w.press("Record");
   PALPATE_CHECK(!w.files->IsRecording() && w.files->GetNumberOfRecordedTicks() > 10);
-  PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.csv"));
+  palpate::Trajectory record;
+  PALPATE_CHECK(palpate::readTrajectory((folder / "palpate-1.csv").string(), record).empty());
+  const palpate::RecordedSetup* setup = record.setups.at(0.0);
+  PALPATE_CHECK(setup && (*setup)[palpate::SetupPart::Tool].rfind("cone:", 0) == 0);
+  PALPATE_CHECK(setup &&
+    (*setup)[palpate::SetupPart::Material] ==
+      palpate::materialInWords(w.setup->GetYoungsModulus(), w.setup->GetPoissonRatio()));
   w.press("Picture");
   PALPATE_CHECK(std::filesystem::exists(folder / "palpate-1.png"));
   checkWholeStatus(w);
@@ -332,21 +423,24 @@ void checkSession(Window& w)
 
 int TestContactPanel(int argc, char* argv[])
 {
+  vtkNew<vtkTesting> arguments;
+  arguments->AddArguments(argc, argv);
   Window window;
   checkMaterial(window);
   checkTools(window);
   checkModel(window);
   checkRelaxation(window);
+  checkGreatestDepth(window);
   checkSession(window);
-  // The picture contains the panel only; other tests cover the scene.
-  window.setup->SetYoungsModulus(0.035);
-  window.setup->SetRelaxation(0, 0.5, 0.2);
-  window.setup->SetChosenTool(0);
-  window.setup->GetToolInHand()->SetSize(6.35);
-  window.session->GetSettings()->SetFrictionCoefficient(0.3);
-  window.files->SetNotice("");
-  window.settle();
-  window.left->RemoveAllViewProps();
-  checkBaseline(window.picture.window, argc, argv);
+  // The picture contains the panel only, while it waits; other tests cover the scene.
+  Window waiting(120, true);
+  waiting.setup->SetYoungsModulus(0.035);
+  waiting.setup->SetRelaxation(0, 0.5, 0.2);
+  waiting.setup->SetChosenTool(0);
+  waiting.setup->GetToolInHand()->SetSize(6.35);
+  waiting.session->GetSettings()->SetFrictionCoefficient(0.3);
+  waiting.settle();
+  checkWaiting(waiting, arguments->GetTempDirectory());
+  checkBaseline(waiting.picture.window, argc, argv);
   return palpate::testing::result();
 }

@@ -86,7 +86,7 @@ void checkContact(vtkHapticSession* session, vtkContactScene* scene)
   PALPATE_CHECK(parts.applied->GetVisibility());
   PALPATE_CHECK_NEAR(shown(parts.applied, contact, applied), scale * 5.0, 1e-4);
   PALPATE_CHECK_TEXT(caption(scene->GetRenderer()), "Deflection 1.50 mm",
-    "\nApplied 5.00 N: cut to the device's largest", "(strain)");
+    "\nApplied 5.00 N: limited to the device's largest force", "(strain)");
   PALPATE_CHECK(!scene->IsValid());
 }
 } // namespace

@@ -4,9 +4,11 @@
 // steady label does not jump.
 #include "Picture.h"
 #include "Response/TestBodies.h"
+#include "SceneBodies.h"
 #include "SceneParts.h"
 
 #include "vtkCamera.h"
+#include "vtkContactScene.h"
 #include "vtkPolyDataMapper2D.h"
 
 #include <array>
@@ -223,6 +225,40 @@ double wandering(
   shown->SetSteadyLabels(false);
   return sum;
 }
+
+/// In a scene, the label leaves the trail free, wherever the tool came from.
+void checkTrail()
+{
+  Picture picture(640, 480);
+  auto renderer = picture.addRenderer();
+  const Body body = withResponse(planeBody(40.0, 20), "sphere:3");
+  vtkNew<vtkContactScene> scene;
+  scene->SetRenderer(renderer);
+  scene->SetBody(body);
+  scene->SetTool(makeTool("sphere:3"));
+  scene->SetLargestForce(20.0);
+  constexpr double depth = 0.8;
+  for (int turn = 0; turn < 8; ++turn)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * turn / 8;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (int i = 60; i >= 0; --i) // 30 mm towards the middle, in a bow
+    {
+      const double bent = angle + 0.01 * i;
+      points->InsertNextPoint(0.5 * i * std::cos(bent), 0.5 * i * std::sin(bent), -depth);
+    }
+    const Body tips = Body::New();
+    tips->SetPoints(points);
+    const Body way = probed(body, tips);
+    PALPATE_CHECK(scene->ShowTrail(way));
+    PALPATE_CHECK(scene->ShowTip(way, way->GetNumberOfPoints() - 1));
+    look(renderer, 0.3, 1.2, 110.0);
+    picture.window->Render();
+    const Box box = boxOf(renderer, ToolParts(scene->GetToolRepresentation()).label);
+    PALPATE_CHECK(countIn(box, pointsOf(renderer, scene->GetTrailActor())) == 0);
+  }
+}
 } // namespace
 
 int TestForceLabels(int, char*[])
@@ -264,6 +300,7 @@ int TestForceLabels(int, char*[])
     checkLabels(renderer, shown);
   }
 
+  checkTrail();
   checkRing(renderer, picture.window, shown);
   const double steady = wandering(renderer, picture.window, shown, true);
   const double restless = wandering(renderer, picture.window, shown, false);

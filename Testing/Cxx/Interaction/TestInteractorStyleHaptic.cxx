@@ -178,6 +178,11 @@ void checkSurface(Window& w)
   PALPATE_CHECK_NEAR(w.force(), 2.0 * Radius * Reduced * 1.5, 1e-5);
   w.send(vtkCommand::MouseWheelForwardEvent, 10);
   PALPATE_CHECK(w.reaches(-2.0)); // limited to MaximumDepth
+  PALPATE_CHECK(w.style->IsAtGreatestDepth());
+  w.send(vtkCommand::MouseWheelBackwardEvent);
+  PALPATE_CHECK(w.reaches(-1.9) && !w.style->IsAtGreatestDepth());
+  w.send(vtkCommand::MouseWheelForwardEvent);
+  PALPATE_CHECK(w.reaches(-2.0) && !w.style->IsAtGreatestDepth()); // just reached
   w.pointAt(-4.0, 1.0);
   PALPATE_CHECK(w.reaches(-2.0));
   w.session->GetTip(tip);
@@ -278,7 +283,29 @@ void checkCamera(Window& w)
   camera->SetViewUp(0.0, 1.0, 0.0);
 }
 
-/// In the plane of the view, the tip keeps its distance from the viewer. The wheel changes this
+/// The key r restores direction and distance of the first view of the body. (The last check, since
+/// it changes the camera.)
+void checkReset(Window& w)
+{
+  const double from[3] = { 0.3, -0.2, 1.0 };
+  const double up[3] = { 0.0, 1.0, 0.0 };
+  w.scene->LookAtBody(from, up);
+  vtkCamera* camera = w.left->GetActiveCamera();
+  double position[3];
+  double upwards[3];
+  camera->GetPosition(position);
+  camera->GetViewUp(upwards);
+  camera->Azimuth(70.0);
+  camera->Elevation(20.0);
+  camera->Zoom(3.0);
+  camera->Dolly(2.0);
+  PALPATE_CHECK(vtkMath::Distance2BetweenPoints(position, camera->GetPosition()) > 1.0);
+  w.type('r');
+  PALPATE_CHECK_NEAR(vtkMath::Distance2BetweenPoints(position, camera->GetPosition()), 0.0, 1e-12);
+  PALPATE_CHECK_NEAR(vtkMath::Distance2BetweenPoints(upwards, camera->GetViewUp()), 0.0, 1e-12);
+}
+
+/// In the plane of the view the tip keeps its distance from the viewer; the wheel changes this
 /// distance.
 void checkViewPlane(Window& w)
 {
@@ -389,5 +416,6 @@ int TestInteractorStyleHaptic(int, char*[])
   checkKeys(window);
   checkFiles(window, std::filesystem::current_path() / "TestInteractorStyleHaptic");
   window.session->Stop();
+  checkReset(window);
   return palpate::testing::result();
 }

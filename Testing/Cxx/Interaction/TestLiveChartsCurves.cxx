@@ -3,6 +3,7 @@
 // and the corner curves with vtkResponseCurves, on facets and on the smooth surface. Also tested:
 // compared tools, and the start of the dotted part.
 #include "LiveChartChecks.h"
+#include "LiverSlab.h"
 
 #include "vtkAxis.h"
 #include "vtkHapticSession.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace
 {
@@ -231,7 +233,8 @@ void checkCompared()
   const Body pressed = probed(last, singleTip(4.0, 4.0, -0.7), "B");
   PALPATE_CHECK(charts->ShowTip(pressed, 0));
   vtkChartXY* chart = charts->GetCurvesChart();
-  PALPATE_CHECK(chart->GetNumberOfPlots() == 7); // each tool with its dotted part, and the point
+  PALPATE_CHECK(
+    chart->GetNumberOfPlots() == 8); // each tool with its dotted part, memory, and the point
   const vtkIdType vertex = 12 * 21 + 12;
   const std::pair<std::string, const char*> labels[] = { { "A", nullptr }, { "B", "the ball" },
     { "C", nullptr } };
@@ -284,10 +287,122 @@ void checkSession()
   charts->Update();
   PALPATE_CHECK(pointsOf(plotOf(chart, "Now")).empty());
 }
+
+/// The force on a curve, between its two nearest rows. With 60 steps, chords of these curves are
+/// below them by less than 1e-3 of the force at the depths of the tests.
+constexpr double Chord = 1e-3;
+double on(const std::vector<Row>& curve, double depth)
+{
+  for (std::size_t i = 1; i < curve.size(); ++i)
+  {
+    const auto& [from, low] = curve[i - 1];
+    const auto& [to, high] = curve[i];
+    if (from <= depth && depth <= to && from < to)
+    {
+      return low + (depth - from) / (to - from) * (high - low);
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A tilted tool has a curve of its own, which contains the running point.
+void checkTilted()
+{
+  constexpr double radius = 3.0;
+  vtkNew<vtkToolContactResponse> filter;
+  filter->SetInputData(planeBody(20.0, 8));
+  filter->SetTool(makeTool("flat:3"));
+  filter->SetPoissonRatio(0.0);
+  filter->SetMaximumDeflection(1.0);
+  filter->SetMaximumTilt(10.0);
+  makePlain(filter);
+  filter->Update();
+  for (const bool compares : { false, true })
+  {
+    for (const double degrees : { 0.0, 5.0 })
+    {
+      const double tilt = vtkMath::RadiansFromDegrees(degrees);
+      const double depth = 0.2 * radius - radius * std::sin(tilt); // of the tip
+      const Body path =
+        timedPath({ { 0.3, 0.7, 2.0, 0.0 }, { 0.3, 0.7, -depth, 0.5 }, { 0.3, 0.7, -depth, 0.7 } });
+      vtkNew<vtkDoubleArray> axes;
+      axes->SetName("ToolAxis");
+      axes->SetNumberOfComponents(3);
+      for (int i = 0; i < 3; ++i)
+      {
+        axes->InsertNextTuple3(std::sin(tilt), 0.0, std::cos(tilt));
+      }
+      path->GetPointData()->AddArray(axes);
+      vtkNew<vtkHapticSession> session;
+      session->SetBody(filter->GetOutput());
+      session->GetDevice()->SetPath(path);
+      vtkNew<vtkLiveCharts> charts;
+      charts->SetSession(session);
+      if (compares)
+      {
+        charts->AddComparedResponse("Response", "Tilted");
+      }
+      PALPATE_CHECK(session->Start());
+      session->Step(0.6);
+      charts->Update();
+      vtkChartXY* chart = charts->GetCurvesChart();
+      const Row now = pointsOf(plotOf(chart, "Now")).front();
+      PALPATE_CHECK_NEAR(now.first, 0.2 * radius, 1e-6);
+      const bool hasOwn = degrees > 0.0 || compares;
+      if (!compares)
+      {
+        bool found = false;
+        for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
+        {
+          found = found || std::string(chart->GetPlot(i)->GetLabel()) == "Tilted";
+        }
+        PALPATE_CHECK(found == hasOwn);
+      }
+      const std::vector<Row> curve = curveOf(chart, hasOwn ? "Tilted" : "Blend");
+      PALPATE_CHECK_NEAR(on(curve, now.first), now.second, Chord * now.second);
+      if (hasOwn && !compares) // tilt_bem.csv, D = 0.2 of the radius
+      {
+        PALPATE_CHECK_NEAR(now.second / on(curveOf(chart, "Blend"), now.first), 0.5757, 0.003);
+      }
+    }
+  }
+}
+
+/// On a body that relaxes, a line leads from the slow force, which is on the curve, to the running
+/// point. Without memory there is no such line.
+void checkRelaxing()
+{
+  for (const bool relaxes : { true, false })
+  {
+    const auto session = slabSession(liverSlab(6.35, relaxes));
+    vtkNew<vtkLiveCharts> charts;
+    charts->SetSession(session);
+    PALPATE_CHECK(session->Start());
+    session->Step(SlabPress + SlabAbove);
+    charts->Update();
+    vtkChartXY* chart = charts->GetCurvesChart();
+    const Row now = pointsOf(plotOf(chart, "Now")).front();
+    const double slow = on(curveOf(chart, "Blend"), now.first);
+    const std::vector<Row> memory = pointsOf(plotOf(chart, "Memory"));
+    PALPATE_CHECK(plotOf(chart, "Memory")->GetVisible() == relaxes);
+    PALPATE_CHECK(memory.size() == (relaxes ? 2U : 0U));
+    PALPATE_CHECK_NEAR(now.second / slow, relaxes ? 1.514 : 1.0, 0.01); // as in TestRelaxingSession
+    if (relaxes)
+    {
+      PALPATE_CHECK(memory[1] == now && memory[0].first == now.first);
+      PALPATE_CHECK_NEAR(memory[0].second, slow, Chord * slow);
+    }
+    session->Stop();
+    charts->Update();
+    PALPATE_CHECK(pointsOf(plotOf(chart, "Memory")).empty());
+  }
+}
 } // namespace
 
 int TestLiveChartsCurves(int, char*[])
 {
+  checkTilted();
+  checkRelaxing();
   checkFacets();
   checkLeaving();
   checkOtherCells();
