@@ -334,6 +334,27 @@ void checkLeftOut()
   PALPATE_CHECK(!layer->GetOutput()->GetPointData()->HasArray("GlobalCompliance"));
 }
 
+/// With the compliance of the whole body, the curves include the edges. The law of edges then acts
+/// only outside. Without the compliance, here on large triangles, the law of edges acts inside too.
+void checkWithEdges()
+{
+  vtkNew<vtkContactTool> tool;
+  tool->SetSpecification("sphere:6.35");
+  const auto isInCurves = [&tool](vtkPolyData* body, bool hasCompliance)
+  {
+    const auto response = makeResponse(body, tool);
+    response->WholeBodyOn();
+    response->Update();
+    PALPATE_CHECK(
+      (response->GetOutput()->GetPointData()->HasArray("GlobalCompliance") != 0) == hasCompliance);
+    vtkDataArray* edges = response->GetOutput()->GetFieldData()->GetArray("ResponseEdges");
+    PALPATE_CHECK(edges && edges->GetNumberOfComponents() == 5);
+    return edges && edges->GetComponent(0, 4) != 0.0;
+  };
+  PALPATE_CHECK(isInCurves(block(100.0, 96.0, Height), true));
+  PALPATE_CHECK(!isInCurves(boxOnGround(100.0, 96.0, 50.0), false));
+}
+
 void checkErrors()
 {
   const auto body = block(40.0, 30.0, 10.0);
@@ -382,6 +403,7 @@ int TestBodyCompliance(int, char*[])
   checkModes();
   checkCrossingSurface();
   checkLeftOut();
+  checkWithEdges();
   checkErrors();
   std::filesystem::remove_all(cache);
   return result();
