@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -86,10 +87,10 @@ bool isAccurate(const BodyYield& found, vtkPolyData* body, const YieldRequest& r
       const auto point = static_cast<std::size_t>(corners[t + k]);
       const double compliance = found.compliance[point];
       places.col(static_cast<Eigen::Index>(k)) = Eigen::Vector3d(points.data() + 3 * point);
-      isKnown = isKnown && compliance > 0.0;
+      isKnown = isKnown && compliance != 0.0; // below 0 where the body is stiffer than a half-space
       isWithin = isWithin &&
-        found.error[point] <
-          std::max(shareOfCompliance * compliance, shareOfDeflection * (local + compliance));
+        found.error[point] < std::max(shareOfCompliance * std::abs(compliance),
+                               shareOfDeflection * (local + compliance));
     }
     const double area = (places.col(1) - places.col(0)).cross(places.col(2) - places.col(0)).norm();
     known += isKnown ? area : 0.0;
