@@ -42,7 +42,8 @@ struct Place
   TriangleProjection projection;
 };
 
-/// Moves across the edge on which the projection lies if the triangle there is nearer.
+/// Moves to the neighbouring triangle across the edge on which the projection lies, if that
+/// triangle is nearer. Returns whether `place` has changed.
 bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const int edge = static_cast<int>(place.projection.feature) - 3;
@@ -60,7 +61,8 @@ bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcep
   return true;
 }
 
-/// Moves to the nearest triangle around the corners if it is nearer than the present one.
+/// Moves to the nearest of the triangles around the corners if it is nearer than the current
+/// triangle. Returns whether `place` has changed.
 bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const std::int32_t current = place.triangle;
@@ -116,7 +118,8 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
 
 std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
-  constexpr int crossings = 16; // 2 mm over 0.3 mm triangles: more than a hand moves in a tick
+  constexpr int crossings =
+    16; // 16 triangles of 0.3 mm are 5 mm, more than a hand moves in one tick
   const Vector3 local = this->Mesh.toLocal(tip);
   std::int32_t triangle = this->Last.triangle;
   for (int i = 0; i < crossings && triangle >= 0; ++i)
@@ -162,7 +165,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
   if (this->Smooth)
   {
-    // Start at the point to which the contact should have moved with the tip, to first order.
+    // Starts at the point to which the contact moves with the tip to first order.
     return this->touch(tip, this->Last.triangle,
       this->Last.projection.weights + this->Last.weightGradients.transpose() * (tip - this->Tip));
   }

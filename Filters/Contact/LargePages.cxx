@@ -23,15 +23,15 @@ struct alignas(CacheLine) SharedPage
 };
 
 std::mutex Guard;
-SharedPage* Open = nullptr; ///< the page from which the next block is taken
+SharedPage* Open = nullptr; ///< the page from which the next block is allocated
 
 std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
 {
   return (bytes + unit - 1) / unit * unit;
 }
 
-/// Large pages are off with the address sanitizer, which finds accesses outside a vector only in
-/// ordinary memory.
+/// Large pages are disabled with the address sanitizer, because it detects accesses outside a
+/// vector only in ordinary memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool IsMapped = false;
 #elif defined(__has_feature)
@@ -61,8 +61,8 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// Maps memory directly from the system. malloc may return memory that is already divided into
-/// small pages.
+/// Maps memory directly from the system, because malloc may return memory that is already divided
+/// into small pages.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
@@ -79,7 +79,7 @@ void* ownPages(std::size_t bytes)
     munmap(first, before);
   }
   munmap(first + before + size, PageSize - before);
-  madvise(first + before, size, MADV_HUGEPAGE); // only advice; without it the memory is slower
+  madvise(first + before, size, MADV_HUGEPAGE); // only a hint; without it the memory is slower
   return first + before;
 }
 

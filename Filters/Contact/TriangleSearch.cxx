@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns eight bits: bit k is set if distance k is within reach.
+/// Returns eight bits: bit k is set if distances[k] is at most `reach`.
 unsigned within(const Eigen::Array<float, 8, 1>& distances, float reach) noexcept
 {
 #ifdef __SSE2__

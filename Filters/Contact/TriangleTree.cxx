@@ -13,15 +13,17 @@ namespace palpate
 {
 namespace
 {
-/// A tree of 8^11 rows of 32 triangles would have more triangles than an int32 can count.
+/// Largest number of levels. A tree of 8^11 rows of 32 triangles would have more triangles than an
+/// int32 can count.
 constexpr std::size_t LargestDepth = 12;
 
-/// Tips farther away than this multiple of the body's size are moved to that distance. For farther
-/// tips all distances round to the same value; the search would visit every triangle and choose a
-/// side by chance.
+/// A tip that is farther away than this multiple of the body's size is moved to that distance. At
+/// larger distances, all distances would round to the same value, so that the search would visit
+/// every triangle and the chosen side would be random.
 constexpr double FarAway = 1e4;
 
-/// A box with triangles is within reach until a nearer triangle is found; an empty box never is.
+/// Until a nearer triangle is found, a box with triangles is always within reach, and an empty box
+/// never is.
 static_assert(
   3.0 * 1.1 * (FarAway * SoundMesh::LargestCoordinate) * (FarAway * SoundMesh::LargestCoordinate) <
     static_cast<double>(std::numeric_limits<float>::max()),
@@ -153,7 +155,8 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
       continue;
     }
     const Row distances = this->Levels[next.level][next.row].squaredDistances(rounded);
-    // The boxes within reach, the nearest one last, so that it is taken from the stack first.
+    // Collects the boxes within reach. The nearest box is last, so that it is taken from the stack
+    // first.
     const std::size_t bottom = size;
     std::array<Pending, Width> leaves;
     std::size_t leafCount = 0;

@@ -17,10 +17,10 @@ struct TwinTriangles
 {
   std::int32_t first;
   std::int32_t second;
-  bool areReversed; ///< they are wound in opposite directions
+  bool areReversed; ///< whether they are wound in opposite directions
 };
 
-/// Pairs each triangle of `candidates` with the first triangle of the same coordinates.
+/// Pairs each triangle of `candidates` with the first triangle that has the same coordinates.
 std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& candidates)
 {
@@ -28,9 +28,10 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const auto placeOf = [coordinates](std::int32_t point)
   {
     const float* p = coordinates + 3 * static_cast<std::size_t>(point);
-    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // -0 becomes 0
+    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // adding 0 changes -0 to 0
   };
-  // The coordinates of the corners, in ascending order, and whether an even permutation sorts them.
+  // Returns the coordinates of the corners in ascending order, and whether an even permutation
+  // sorts the corners.
   const auto placesOf = [&](std::int32_t t)
   {
     const TriangleCorners& corners = triangles[static_cast<std::size_t>(t)];
@@ -105,11 +106,12 @@ public:
     }
   }
 
-  /// A part is a copy if each of its triangles has a twin in one other part; of two equal parts the
-  /// later one is the copy.
+  /// Leaves out copies. A part is a copy if each of its triangles has a twin in one other part. Of
+  /// two equal parts, the later one is the copy.
   void dropCopies()
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared; // earlier part, later part
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t>
+      shared; // number of twins by earlier and later part
     for (const TwinTriangles& pair : this->Pairs)
     {
       ++shared[std::minmax({ this->partOf(pair.first), this->partOf(pair.second) })];

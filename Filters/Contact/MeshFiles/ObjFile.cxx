@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Parts = 3; // indices of a corner: point, texture coordinate, normal
+constexpr std::size_t Parts = 3; // number of indices of a corner: point, texture coordinate, normal
 constexpr std::array<const char*, Parts> PartNames = { "vertex", "texture coordinate", "normal" };
 
 class ObjReader
@@ -165,7 +165,8 @@ private:
     return true;
   }
 
-  /// Checks the largest indices at the end, because a corner may refer to a later vertex.
+  /// Checks the largest indices at the end of the file, because a corner may refer to a later
+  /// vertex.
   void checkLargest()
   {
     for (std::size_t part = 0; part < Parts && this->Mesh.fault.empty(); ++part)
@@ -179,7 +180,7 @@ private:
     }
   }
 
-  /// Keeps the normals if each point of a face has exactly one.
+  /// Keeps the normals if each point of a face has exactly one normal.
   void attachNormals()
   {
     if (this->LeftOut > 0)
@@ -225,7 +226,7 @@ private:
   FileWords Words;
   FileMesh Mesh;
   std::vector<float> Normals;               ///< normals in the order of the file
-  std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1: none
+  std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1 if it has none
   std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
   std::array<std::int64_t, Parts> Largest{};
   std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest index

@@ -18,9 +18,9 @@ constexpr std::size_t LongestLine = 4000;  // characters; size of a buffer in vt
 struct Property
 {
   std::string name;
-  int countSize; // bytes of the length of a list, 0 if it is not a list
-  int size;      // bytes of a value
-  bool whole;    // an integer
+  int countSize; // bytes of the length of a list; 0 if the property is not a list
+  int size;      // bytes of one value
+  bool whole;    // whether the values are integers
 };
 
 struct Element
