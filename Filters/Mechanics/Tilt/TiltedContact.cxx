@@ -48,7 +48,7 @@ std::vector<double> heightsOn(const TiltedSurface& surface, const Grid& grid, do
   return heights;
 }
 
-/// Returns the pressures >= 0 with which the surface follows the tool.
+/// Returns the pressures >= 0 with which the surface conforms to the tool.
 std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& heights, double depth)
 {
   RectangleLoads loads(grid.pixels, grid.width(), grid.height());
