@@ -110,8 +110,7 @@ double CappedResponse::lost(double deflection, double force) const noexcept
       const Place end = this->crossing(last, to);
       if (end.deflection >= deflection)
       {
-        last.deflection =
-          deflection; // the interval from `last` to `to` contains the δ of the argument
+        last.deflection = deflection; // the sign changes beyond δ: ends the search
         return;
       }
       sum += isAbove ? this->taken(turn, end.deflection, end.force) : 0.0;

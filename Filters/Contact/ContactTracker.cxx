@@ -118,8 +118,8 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
 
 std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
-  constexpr int crossings =
-    16; // 16 triangles of 0.3 mm are 5 mm, more than a hand moves in one tick
+  // Corresponds to about 2 mm with triangles of 0.3 mm, more than a hand moves in one tick.
+  constexpr int crossings = 16;
   const Vector3 local = this->Mesh.toLocal(tip);
   std::int32_t triangle = this->Last.triangle;
   for (int i = 0; i < crossings && triangle >= 0; ++i)

@@ -73,8 +73,8 @@ struct FlatBodyHeader
   std::uint64_t points;
   std::uint64_t triangles;
   std::int32_t samples;
-  std::int32_t
-    laws; ///< 0 if each point has a separate curve; k > 0 if curves are combinations of k laws
+  /// 0 if each point has a separate curve; k > 0 if curves are combinations of k laws.
+  std::int32_t laws;
   double exponent;
   /// Offsets from the start of the file; 0 if the section is absent.
   std::array<std::uint64_t, FirstSectionCount> firstOffset;

@@ -21,8 +21,8 @@ namespace palpate
 struct ForceDirection
 {
   Vector3 normal = Vector3::Zero(); ///< unit vector, outward; not finite if there is no direction
-  double ratio =
-    1.0; ///< the force divided by the derivative of the work; 1 except for ForceForm::Paper
+  /// The force divided by the derivative of the work; 1 except for ForceForm::Paper.
+  double ratio = 1.0;
 
   /// Returns the direction for a contact whose curves have the force `upright` (N) at its depth.
   /// `out` is a vector of any length that points out of the body (ToolContact::vectorToContact).

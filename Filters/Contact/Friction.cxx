@@ -25,10 +25,10 @@ bool isValid(const FrictionSettings& settings)
 
 constexpr int MostPieces = 40;
 constexpr double LongestPiece = 1.0 / 8.0; ///< fraction of z_max
-constexpr double LastBit =
-  0.005; ///< largest distance from the limit for slideOn(), as a fraction of z_max
-constexpr double Ahead =
-  0.1; ///< largest ratio of the components of z across and along the path for slideOn()
+/// Largest distance from the limit for slideOn(), as a fraction of z_max.
+constexpr double LastBit = 0.005;
+/// Largest ratio of the components of z across and along the path for slideOn().
+constexpr double Ahead = 0.1;
 constexpr double AtLimit = 1.0 - 1e-9;
 constexpr double Shortest = 1e-150; ///< mm; the square of this z_max is still greater than 0
 

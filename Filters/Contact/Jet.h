@@ -16,10 +16,10 @@ struct Jet
 {
   double value = 1.0;   ///< a work in N mm, or a factor without unit
   double byDepth = 0.0; ///< first derivative with respect to the depth; for a work: the force, N
-  double byDepthTwice =
-    0.0; ///< second derivative with respect to the depth; for a work: the stiffness, N/mm
-  double byTilt =
-    0.0; ///< derivative with respect to the tilt at constant depth; for a work: N mm per rad
+  /// Second derivative with respect to the depth; for a work: the stiffness, N/mm.
+  double byDepthTwice = 0.0;
+  /// Derivative with respect to the tilt at constant depth; for a work: N mm per rad.
+  double byTilt = 0.0;
   /// Gradient with respect to the tip's position at constant depth and tilt, 1/mm; for a work: N.
   Eigen::Vector3d byPlace = Eigen::Vector3d::Zero();
 

@@ -22,10 +22,10 @@ namespace
 constexpr double LargestCaps = 0.25; ///< largest (area of caps)/(area of the part) of a solid
 constexpr double LargestGap = 0.01;  ///< largest (area of caps)/(area of the part) of a closed part
 constexpr double LargestScrap = 0.1; ///< largest (area)/(total area) of a part that may be left out
-constexpr double LargestDebris =
-  1e-6; ///< largest (volume)/(volume of the solid around it) of debris
-constexpr double LeastVolume =
-  1e-9; ///< least (volume)/area^1.5 of a solid; a sheet of 1 µm by 1 m has a larger value
+/// Largest (volume)/(volume of the solid around it) of debris.
+constexpr double LargestDebris = 1e-6;
+/// Least (volume)/area^1.5 of a solid; a sheet of 1 µm by 1 m has a larger value.
+constexpr double LeastVolume = 1e-9;
 
 struct Part
 {

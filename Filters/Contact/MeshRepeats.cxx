@@ -99,8 +99,8 @@ public:
       std::vector<std::int32_t> patch{ seed };
       // Number of edges with exactly one other triangle, minus the number of all other edges.
       int filled = 0;
-      int walled =
-        0; // number of edges with several other triangles, minus the number of edges with none
+      // Number of edges with several other triangles, minus the number of edges with none.
+      int walled = 0;
       for (std::size_t i = 0; i < patch.size(); ++i)
       {
         const TriangleCorners corners = this->corners(patch[i]);

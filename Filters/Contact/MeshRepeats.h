@@ -14,10 +14,10 @@ namespace palpate
 /// Triangles that occur more than once, also with the reverse winding.
 struct Repeats
 {
-  std::size_t copies =
-    0; ///< number of triangles left out; one triangle with the same corners is kept
-  std::set<std::int32_t>
-    doubtful;             ///< triangles that were kept although the reverse triangle occurred
+  /// Number of triangles left out; one triangle with the same corners is kept.
+  std::size_t copies = 0;
+  /// Triangles that were kept although the reverse triangle occurred.
+  std::set<std::int32_t> doubtful;
   std::size_t flaps = 0;  ///< number of `doubtful` triangles left out because they enclose nothing
   std::size_t sheets = 0; ///< number of these flaps that are not walls between two solids
 };

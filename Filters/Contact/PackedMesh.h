@@ -81,8 +81,8 @@ public:
   /// How creases are treated.
   struct CreaseRule
   {
-    double leastTurn =
-      0.0;              ///< smallest turn of a sharp edge, rad; with 0, creases are not searched
+    /// Smallest turn of a sharp edge, rad; with 0, creases are not searched.
+    double leastTurn = 0.0;
     bool areCut = true; ///< whether the surface is cut along its convex creases
   };
 

@@ -159,8 +159,8 @@ void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] =
-        -1; // the triangle has only two different corners; its neighbours share this edge
+      // The triangle has only two different corners; its neighbours share this edge.
+      corners[0] = -1;
     }
   }
 }

@@ -63,11 +63,11 @@ private:
   const CreaseRule Creases;
   std::size_t PointCount = 0;
   std::vector<float> Coordinates; ///< local coordinates of the packed points
-  std::vector<std::int32_t>
-    Order; ///< indices of input triangles: first the usable ones, then those without area
+  /// Indices of input triangles: first the usable ones, then those without area.
+  std::vector<std::int32_t> Order;
   std::size_t Usable = 0; ///< number of usable triangles
-  std::vector<TriangleCorners>
-    Triangles; ///< in the order of Order; the corners are indices of packed points
+  /// In the order of Order; the corners are indices of packed points.
+  std::vector<TriangleCorners> Triangles;
   std::vector<std::int32_t> Twins; ///< for each point, the first point with the same coordinates;
                                    ///< empty if all points differ
   std::vector<TriangleCorners> Joined;  ///< Triangles after points with the same coordinates are

@@ -15,8 +15,8 @@ namespace palpate
 /// fewer if the ranges would be small.
 inline std::size_t rangeCount(std::size_t count)
 {
-  constexpr std::size_t smallest =
-    8192; // for smaller ranges, starting a thread costs more time than it saves
+  // For smaller ranges, starting a thread costs more time than it saves.
+  constexpr std::size_t smallest = 8192;
   return std::max<std::size_t>(1, std::min(threadCount(), count / smallest));
 }
 

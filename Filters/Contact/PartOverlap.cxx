@@ -10,9 +10,8 @@ namespace palpate
 namespace
 {
 using Vector3 = Eigen::Vector3d;
-
-constexpr double Away =
-  1e-5; // distance of the tested points from the surface, as a fraction of the size of the surface
+// Distance of the tested points from the surface, as a fraction of the size of the surface.
+constexpr double Away = 1e-5;
 
 /// Returns the k-th point of a sequence that covers a triangle evenly (Roberts' R2). No point of
 /// the sequence is above an edge of a regular mesh.

@@ -16,10 +16,10 @@ namespace palpate
 /// is inside.
 struct PartOverlap
 {
-  static constexpr std::size_t Places =
-    4000; ///< number of points; at least half of this number is tested
-  static constexpr double Least =
-    0.002; ///< smallest fraction at which parts count as overlapping or touching
+  /// Number of points; at least half of this number is tested.
+  static constexpr std::size_t Places = 4000;
+  /// Smallest fraction at which parts count as overlapping or touching.
+  static constexpr double Least = 0.002;
 
   /// `size` is the size of the surface, mm. The two sides of the surface are tested at a distance
   /// of 1e-5 times `size`.

@@ -13,8 +13,8 @@ namespace palpate
 /// are functions of the tip's position alone.
 struct ContactReach
 {
-  double depth =
-    0.0; ///< depth δ at which the curve is evaluated, mm; negative if there is no contact
+  /// Depth δ at which the curve is evaluated, mm; negative if there is no contact.
+  double depth = 0.0;
   /// -∇δ is ownNormal times the normal of the contact's own face, plus otherNormals.
   double ownNormal = 1.0;
   Vector3 otherNormals = Vector3::Zero();

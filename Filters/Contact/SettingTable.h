@@ -16,8 +16,8 @@ namespace palpate
 /// One of the values of an enumeration.
 struct SettingWord
 {
-  const char* name =
-    nullptr; ///< name of the enumerator, "NormalizedDirection"; null if the entry is unused
+  /// Name of the enumerator, "NormalizedDirection"; null if the entry is unused.
+  const char* name = nullptr;
   const char* option = nullptr; ///< name on a command line and in Python, "normalized-direction"
   const char* older = nullptr;  ///< an earlier name, which can still be read; null if there is none
 };

@@ -240,8 +240,8 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
     if (hasCornerTwice(corners))
     {
-      corners[0] =
-        -1; // the triangle has only two different corners; its neighbours share this edge
+      // The triangle has only two different corners; its neighbours share this edge.
+      corners[0] = -1;
     }
   }
   this->Found.joinedPoints = 0;

@@ -19,8 +19,8 @@ struct MeshDefects
   std::size_t notFinite = 0; ///< triangles left out because a coordinate is not finite or too large
   std::size_t badIndex = 0;  ///< triangles left out because a corner is not a valid point index
   std::size_t degenerate = 0; ///< triangles left out because they have no area
-  std::size_t repeatedTriangles =
-    0; ///< triangles left out because they occur twice or enclose nothing
+  /// Triangles left out because they occur twice or enclose nothing.
+  std::size_t repeatedTriangles = 0;
   std::size_t hiddenTriangles = 0; ///< triangles left out as sheets or debris inside a closed body
   std::size_t turnedTriangles = 0; ///< triangles whose winding was reversed
   std::size_t joinedPoints = 0;    ///< points with the same coordinates as another point

@@ -266,9 +266,9 @@ void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexc
   {
     const Friction::Result friction = this->Resistance.update(
       result.contactPoint, result.normal, result.normalForce, result.deflection, this->response());
-    result.friction = this->Relaxation.isInTime()
-      ? Vector3(result.friction + friction.force)
-      : friction.force; // keeps the sign of a force of -0
+    // Without time the force is copied, which keeps the sign of -0.
+    result.friction =
+      this->Relaxation.isInTime() ? Vector3(result.friction + friction.force) : friction.force;
     if (!friction.sliding && result.state == ContactState::Slide)
     {
       result.state = ContactState::Stick;

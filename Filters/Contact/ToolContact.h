@@ -183,8 +183,8 @@ private:
   EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
-  ResponseValue
-    Slow; ///< slow response at the last contact, without the effect of edges and borders
+  /// Slow response at the last contact, without the effect of edges and borders.
+  ResponseValue Slow;
   ContactTilt Tilt;
   ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
 };

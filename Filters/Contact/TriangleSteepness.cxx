@@ -35,10 +35,10 @@ private:
 
   std::array<Vector3, 3> Corner;
   Vector3 Normal;
-  std::array<Vector3, 3>
-    FromEdge; ///< unit vector in the plane, away from the triangle across edge i
-  std::array<Vector3, 3>
-    FromCorner; ///< unit vector between the FromEdge of the two edges at the corner
+  /// Unit vector in the plane, away from the triangle across edge i.
+  std::array<Vector3, 3> FromEdge;
+  /// Unit vector between the FromEdge of the two edges at the corner.
+  std::array<Vector3, 3> FromCorner;
   double Altitude;
   double Rounding; ///< smaller lengths count as 0
 };

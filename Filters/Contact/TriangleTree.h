@@ -94,8 +94,8 @@ private:
     const Eigen::Vector3f& rounded, std::int32_t triangle, std::int32_t other) const noexcept;
 
   const PackedMesh& Mesh;
-  std::vector<LargeVector<Boxes>>
-    Levels;             ///< the lowest level first; the last level has one row of boxes
+  /// The lowest level first; the last level has one row of boxes.
+  std::vector<LargeVector<Boxes>> Levels;
   double Size = 0.0;    ///< largest absolute local coordinate of the body
   double Horizon = 0.0; ///< limit of tip coordinates, see isBeyondHorizon()
 };

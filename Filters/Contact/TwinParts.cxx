@@ -110,8 +110,8 @@ public:
   /// two equal parts, the later one is the copy.
   void dropCopies()
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t>
-      shared; // number of twins by earlier and later part
+    // Number of twins by earlier and later part.
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared;
     for (const TwinTriangles& pair : this->Pairs)
     {
       ++shared[std::minmax({ this->partOf(pair.first), this->partOf(pair.second) })];

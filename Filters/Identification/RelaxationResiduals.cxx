@@ -13,11 +13,12 @@ namespace
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double LogStep = 1e-6;     // step of ln p and ln τ; the error of the differences is 1e-6
-constexpr double OffsetStep = 1e-5;  // step of the offset as a fraction of the depth
+// Step of ln p and ln τ for finite differences, whose error is 1e-6.
+constexpr double LogStep = 1e-6;
+// Step of the offset for finite differences, as a fraction of the depth.
+constexpr double OffsetStep = 1e-5;
 constexpr double LargestLog = 25.0;  // largest magnitude of ln p
-constexpr double LargestTime = 40.0; // largest magnitude of ln τ, τ in s
+constexpr double LargestTime = 40.0; // largest magnitude of ln τ, with τ in s
 
 bool isUsable(const PronySeries& series)
 {

@@ -105,8 +105,8 @@ private:
   std::string takeModulus(const Values& values, std::size_t points);
 
   Constants Given;
-  std::vector<double>
-    ReducedModulus; ///< the vectors are empty if the constant applies to all points
+  /// The vectors are empty if the constant applies to all points.
+  std::vector<double> ReducedModulus;
   std::vector<double> PoissonsRatio;
   std::vector<double> Compliance;
   std::vector<double> Thickness;

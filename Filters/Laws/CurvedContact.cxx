@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int NodesBeforeFlat =
-  16; // number of nodes of the sag's law below full contact of a flat end
+// Number of nodes of the sag's law below full contact of a flat end.
+constexpr int NodesBeforeFlat = 16;
 
 /// The sums κ_t+κ₁ and κ_t+κ₂ of the curvatures of tool and body, in ascending order.
 struct Sums
@@ -165,8 +165,8 @@ ContactNodes onCurvedBody(
   // A flat end has its full radius at the first node, where the depth is almost 0.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
   const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
-  curved.coversTouch =
-    whole == 0.0; // on a body that is not convex, the rim of the flat end touches first
+  // On a body that is not convex, the rim of the flat end touches first.
+  curved.coversTouch = whole == 0.0;
   if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);

@@ -31,8 +31,8 @@ constexpr std::size_t Fewest = 12; // least number of points for a fit
 // Largest number of points in a disc. A disc has more points if the mesh is far finer there than
 // elsewhere. In this case averaging over neighbours takes less time than a fit.
 constexpr std::size_t Most = 2000;
-constexpr std::size_t Enough =
-  96; // number of points used in a fit; if there are more, a random part of them is used
+// Number of points used in a fit; if there are more, a random part of them is used.
+constexpr std::size_t Enough = 96;
 // Smallest cosine between normals. This excludes points beyond a sharp edge.
 constexpr double LeastFacing = 0.3;
 // Ridge terms of the fit, divided by the sum of weights, if lengths are in contact radii.

@@ -17,8 +17,8 @@ namespace palpate
 struct DiscForm
 {
   Eigen::Vector3d form;
-  double
-    residual; ///< root-mean-square residual of the heights, divided by the squared contact radius
+  /// Root-mean-square residual of the heights, divided by the squared contact radius.
+  double residual;
 };
 
 /**
@@ -30,7 +30,7 @@ struct DiscForm
  * hundred points. The weights of the points decrease with the distance. Small ridge terms limit the
  * coefficients that few points determine.
  *
- * Not thread-safe: each thread needs its own object. Cost: a few 10 µs per fit.
+ * Not thread-safe: each thread needs its own object. Cost: about 10 µs per fit.
  */
 class DiscForms
 {

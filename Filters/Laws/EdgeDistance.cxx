@@ -20,9 +20,8 @@ namespace palpate
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr double IncompressibleRatio =
-  0.5; // Poisson's ratio for which the effects of edges are compared
+// Poisson's ratio for which the effects of edges are compared.
+constexpr double IncompressibleRatio = 0.5;
 // Sharpness of an edge of 60°. The search distance of edges of smaller sharpness is reduced in
 // proportion.
 constexpr double BluntSharpness = 0.2;

@@ -16,8 +16,8 @@ namespace palpate
 {
 namespace
 {
-// Factor on the mean over the layers. With this factor the result bounds the errors of 30 random
-// stacks.
+// Factor on the mean over the layers. With this factor the result bounds all errors of 30 random
+// forces.
 constexpr double StackBound = 1.6;
 // Errors relative to the loss of force at an edge for which the tick makes a correction. Hetényi's
 // law is accurate to 3 %, and the effect of a base to 10 %. A corner is approximated by a product

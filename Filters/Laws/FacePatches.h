@@ -24,8 +24,8 @@ struct FacePatch
 {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit vector
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double area = 0.0; ///< mm²
-  bool isLong = false;
+  double area = 0.0;           ///< mm²
+  bool isLong = false;         ///< whether the patch is one long facet
   bool isKnown = false;        ///< whether the patch is large enough for its normal to be used
   std::vector<NextPatch> next; ///< neighbours, without duplicates
 };

@@ -43,8 +43,8 @@ struct LinkedSurface
 
   TriangleSpans spans;
   std::vector<TriangleCorners> corners;
-  std::vector<Eigen::Vector3d>
-    areas; ///< area vectors of the facets: directed along the normal, with the area as length, mm²
+  /// Area vectors of the facets: directed along the normal, with the area as length, mm².
+  std::vector<Eigen::Vector3d> areas;
   TriangleLinks links;
 
 private:

@@ -238,8 +238,8 @@ private:
         densest = density > most ? axis : densest;
         most = std::max(most, density);
       }
-      --this->Axes[densest]
-          .nodes; // the loop ends, because four axes of two nodes each have only sixteen laws
+      // The loop ends, because four axes of two nodes each have only sixteen laws.
+      --this->Axes[densest].nodes;
     }
   }
 

@@ -52,11 +52,11 @@ private:
   // Sums over the edges, weighted by the squared length of each edge. p = (t², 2tu, u²) of the
   // direction of the edge.
   Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< sum of p pᵀ
-  Eigen::Vector3d Turns =
-    Eigen::Vector3d::Zero(); ///< sum of p times the curvature that follows from the turn
-  Eigen::Vector3d Sags =
-    Eigen::Vector3d::Zero(); ///< sum of p times the curvature that follows from the sag
-  double Square = 0.0;       ///< sum of the squared curvatures that follow from the turns
+  /// Sum of p times the curvature that follows from the turn.
+  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();
+  /// Sum of p times the curvature that follows from the sag.
+  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();
+  double Square = 0.0; ///< sum of the squared curvatures that follow from the turns
   double Weight = 0.0;
   double Count = 0.0; ///< number of edges
   // The corresponding sums for a tilt of the tangent plane.

@@ -72,8 +72,8 @@ struct ComparedResponse
   ResponseArrays arrays;
   std::string name;
   std::function<SpotCurvature(std::size_t)> curvature = {};
-  std::function<double(std::size_t)>
-    error = {}; ///< relative error of the force that the response states at a point
+  /// Relative error of the force that the response states at a point.
+  std::function<double(std::size_t)> error = {};
 };
 
 /**

@@ -38,8 +38,8 @@ struct RelaxationNeed
   /// slow force.
   double strength = 0.0;
   bool isFelt = false; ///< whether the excess exceeds the tolerance
-  int elements =
-    0; ///< smallest of 0, 4, 8, 16, 32 with an error within the tolerance; 32 if there is none
+  /// Smallest of 0, 4, 8, 16, 32 with an error within the tolerance; 32 if there is none.
+  int elements = 0;
   double error = 0.0;    ///< error with `elements` elements
   double simplest = 0.0; ///< error with 0 elements (the quasi-linear law)
 };

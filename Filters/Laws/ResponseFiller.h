@@ -55,8 +55,8 @@ struct ResponseTerms
   /// Validity ends at the depth at which the estimated error exceeds this value. With 0, validity
   /// is determined by ValidityRule.
   double errorTolerance = 0.0;
-  const MeasuredBodyError* measured =
-    nullptr;          ///< data of a measured material; null if the material was not measured
+  /// Data of a measured material; null if the material was not measured.
+  const MeasuredBodyError* measured = nullptr;
   bool edges = false; ///< the servo tick corrects the effect of sharp edges (BodyEdges)
 };
 

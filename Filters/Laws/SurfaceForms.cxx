@@ -40,8 +40,8 @@ constexpr double CurvatureFactor = 0.02;
 // as noisy. White noise has a correlation of -0.29.
 constexpr double SmoothCorrelation = -0.12;
 constexpr double NoisyCorrelation = -0.25;
-constexpr double LargestDifference =
-  3.0; // multiple of the median; larger differences occur at edges
+// Multiple of the median; larger differences occur at edges.
+constexpr double LargestDifference = 3.0;
 
 using Curvature = PointCurvature;
 

@@ -19,8 +19,8 @@ namespace
 constexpr std::size_t MostPoints = 400;
 // Square roots of the compared depths, as fractions of the range.
 constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
-constexpr int UnstoredSamples =
-  8; // number of samples of laws that are not stored with the response
+// Number of samples of laws that are not stored with the response.
+constexpr int UnstoredSamples = 8;
 
 /// A model of the body that can compute forces.
 class ModelledForce

@@ -52,7 +52,7 @@ void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
 
   std::vector<double> moduli;
   std::vector<double> compliances;
-  std::vector<double> slenderness; // 1/h, 1/mm; 0 for a half-space
+  std::vector<double> slenderness; // 1/h, 1/mm; 0 on a half-space
   for (const IdentifiedBody* site : measurement.Used)
   {
     moduli.push_back(site->body.reducedModulus);

@@ -136,7 +136,7 @@ int vtkMeasuredContactResponse::RequestData(
   vtkNew<vtkPolyData> spread;
   palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
   fault = this->RespondTo(measurement, spread, output);
-  if (fault.empty() && output->GetNumberOfPoints() > 0) // if not aborted
+  if (fault.empty() && output->GetNumberOfPoints() > 0) // not empty unless the filter was aborted
   {
     palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::attachMeasuredRelaxation(measurement, this->ResponseName, output);
@@ -237,7 +237,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
   options.largestStrain = this->MaximumStrain;
   options.largestMisfit = this->MaximumMisfit;
   options.largestUncertainty = this->MaximumUncertainty;
-  // CheckProperties has already checked the relaxation
+  // CheckProperties() has already checked the relaxation.
   this->Relaxations.fillSeries(options.relaxation);
   measurement.Identification = std::make_unique<palpate::BodyIdentification>(options);
   return fault;

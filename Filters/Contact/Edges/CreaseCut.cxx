@@ -52,8 +52,8 @@ void CreaseCut::findSides(
   std::size_t usable, const std::vector<float>& coordinates, double leastTurn)
 {
   std::vector<Vector3> normals(usable);
-  std::vector<std::array<float, 3>> turns(
-    usable); // angle between the normals across each edge, rad; negative for a concave edge
+  // Angle between the normals across each edge, rad; negative for a concave edge.
+  std::vector<std::array<float, 3>> turns(usable);
   forRanges(usable,
     [&](std::size_t first, std::size_t last)
     {

@@ -316,8 +316,8 @@ EdgeChains::Place EdgeChains::closest(
   found.part = clamped / at.length;
   found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
   Vector3 offset = place - found.point;
-  offset -=
-    at.normal.dot(offset) * at.normal; // a curved face deviates from the plane of the segment
+  // A curved face deviates from the plane of the segment.
+  offset -= at.normal.dot(offset) * at.normal;
   bool isInside = offset.dot(at.outward) <= 0.0;
   if (isBeyond && !goesOn)
   {

@@ -30,8 +30,8 @@ class EdgeChains
 public:
   static constexpr std::size_t MostNear = 8;
   static constexpr std::int32_t None = -1;
-  using Near = std::array<std::int32_t,
-    MostNear>; ///< indices of segments, the nearest first; unused entries are None
+  /// Indices of segments, the nearest first; unused entries are None.
+  using Near = std::array<std::int32_t, MostNear>;
 
   /// One edge of a triangle on a crease, in local coordinates of the mesh.
   struct Segment
@@ -54,8 +54,8 @@ public:
     bool goesOnBehind = false; ///< whether the chain continues straight beyond a corner of the face
                                ///< at the segment's end
     std::array<double, 2> sharpness; ///< see edgeSharpness(); at the start and the end
-    std::array<Vector3, 2>
-      otherNormal; ///< normal of the face on the other side, at the start and the end
+    /// Normal of the face on the other side, at the start and the end.
+    std::array<Vector3, 2> otherNormal;
   };
 
   /// The closest point on a chain.
@@ -65,8 +65,8 @@ public:
     double part = 0.0; ///< position on the segment as a fraction of its length
     Vector3 point = Vector3::Zero();
     double distance = 0.0; ///< mm, in the plane of the segment; positive on the side of the face
-    Vector3 gradient =
-      Vector3::Zero(); ///< gradient of the distance with respect to the argument of closest()
+    /// Gradient of the distance with respect to the argument of closest().
+    Vector3 gradient = Vector3::Zero();
   };
 
   /// Distance from a triangle, mm, within which a sharp or a blunt chain counts as near.

@@ -16,8 +16,8 @@ class AxisymmetricTool;
 /// edges have no effect.
 struct EdgeTerms
 {
-  double exponent =
-    0.0; ///< m of F ∝ δ^m far from the edge: 1 for a flat end, 1.5 for a sphere, 2 for a cone
+  /// m of F ∝ δ^m far from the edge: 1 for a flat end, 1.5 for a sphere, 2 for a cone.
+  double exponent = 0.0;
   double radius = 0.0; ///< contact radius at a depth of 1 mm, mm: a₀ = radius δ^(m-1), with δ in mm
   double poissonRatio = 0.5; ///< Poisson's ratio of the body
   /// Depth (mm) at which the body is fixed: that of the base of a layer, or of the opposite side of

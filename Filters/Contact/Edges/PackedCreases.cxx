@@ -114,8 +114,8 @@ void PackedMesh::Builder::markCreases()
 
 void PackedMesh::Builder::computeCornerNormals()
 {
-  std::map<std::int32_t, Vector3>
-    sums; // sums of normals, with the index of the uncut point as the key
+  // Sums of normals, with the index of the uncut point as the key.
+  std::map<std::int32_t, Vector3> sums;
   const auto visitParts = [this](const auto& visit)
   {
     for (std::size_t point = 0; !this->Mesh.Creases.empty() && point < this->PointCount; ++point)

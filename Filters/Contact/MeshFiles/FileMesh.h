@@ -16,8 +16,8 @@ struct FileMesh
   std::vector<std::int64_t> corners; ///< indices of points, polygon after polygon
   /// Index in `corners` of the start of each polygon, and of the end of the last one.
   std::vector<std::int64_t> starts;
-  std::vector<std::string>
-    notes;           ///< the omitted contents of the file, each as a part of a sentence
+  /// The omitted contents of the file, each as a part of a sentence.
+  std::vector<std::string> notes;
   std::string fault; ///< message that names the line or the facet; "" if there is no fault
 };
 } // namespace palpate

@@ -143,8 +143,8 @@ private:
     this->expect(isNamed, "facet");
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Words
-        .word(); // skips the value, whatever it is, because some programs write an undefined one
+      // Skips the value, whatever it is, because some programs write an undefined one.
+      this->Words.word();
     }
   }
 
@@ -202,8 +202,8 @@ FileMesh readBinary(std::istream& file, std::uint64_t facets, std::uint64_t size
     }
     for (std::size_t i = 0; i < 9; ++i, ++values)
     {
-      const std::uint32_t word = wordAt(
-        bytes.data() + 12 + 4 * i); // the coordinates of the corners follow the normal of the facet
+      // The coordinates of the corners follow the normal of the facet.
+      const std::uint32_t word = wordAt(bytes.data() + 12 + 4 * i);
       std::memcpy(values, &word, sizeof word);
       if (!std::isfinite(*values))
       {

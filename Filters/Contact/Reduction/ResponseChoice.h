@@ -83,8 +83,8 @@ struct ResponseChoice
   ChoiceSpread depth;  ///< mm
   bool validityKnown = false;
   double beyondShare = 0.0; ///< fraction of the points at which `depth` exceeds the validity
-  int firstLimit =
-    0; ///< the assumption that breaks first at most of the points that are beyond the validity
+  /// The assumption that breaks first at most of the points that are beyond the validity.
+  int firstLimit = 0;
 };
 
 /**

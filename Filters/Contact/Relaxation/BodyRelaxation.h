@@ -73,10 +73,10 @@ private:
   const ResponseField& Whole;
   std::unique_ptr<const ResponseField> Local;
   PronySeries Series;
-  LargeVector<float> Strength; ///< Series.count values per point of the mesh; empty if all points
-                               ///< have the same values
-  LargeVector<float>
-    Compliance; ///< one value per point of the mesh; empty if the whole compliance relaxes
+  /// Series.count values per point of the mesh; empty if all points have the same values.
+  LargeVector<float> Strength;
+  /// One value per point of the mesh; empty if the whole compliance relaxes.
+  LargeVector<float> Compliance;
   double Exponent;
   double Radius;
   double Range;

@@ -71,8 +71,8 @@ double ContactTilt::leanAt(
   if (!(this->NormalLength > 0.0))
   {
     this->NormalLength = 1.0;
-    this->Normal =
-      this->Axis; // the sum of opposite normals is zero: the tool is treated as upright
+    // The sum of opposite normals is zero: the tool is treated as upright.
+    this->Normal = this->Axis;
   }
   else
   {

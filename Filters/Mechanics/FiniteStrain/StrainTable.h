@@ -25,8 +25,8 @@ struct StrainReach
 {
   double endless;        ///< largest depth on infinitely thick layers, mm; may be infinite
   double fraction = 0.0; ///< fraction of H; 0 if δ_max does not depend on the thickness
-  double below =
-    0.0; ///< thickness of the layers below the first two, which do not vary, mm; part of H
+  /// Thickness of the layers below the first two, which do not vary, mm; part of H.
+  double below = 0.0;
 
   double at(double thickness, double second) const noexcept
   {

@@ -15,8 +15,8 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int PiecesPerSmooth =
-  24; // number of biarcs for a smooth part; the error is 1e-6 of the size of the part
+// Number of biarcs for a smooth part; the error is 1e-6 of the size of the part.
+constexpr int PiecesPerSmooth = 24;
 // The outline is straight where the profile is steeper than this slope, because no contact is
 // steeper.
 constexpr double SteepestSlope = 6.0;
@@ -162,9 +162,8 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   };
   if (isStraight)
   {
-    goTo(start +
-      (1.0 - LargestCut) *
-        (part.end() - start)); // the fillet of the next corner may replace the rest
+    // The fillet of the next corner may replace the rest.
+    goTo(start + (1.0 - LargestCut) * (part.end() - start));
     goTo(part.end());
     return from;
   }

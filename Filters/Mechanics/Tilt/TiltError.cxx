@@ -12,8 +12,8 @@ namespace
 double tableError(const TiltedLayer& contact) noexcept
 {
   constexpr double wholeEnd = 1.0; // value of `rim` up to which the whole flat end touches
-  constexpr double smallPart =
-    3.0; // value of `rim` above which only a small part of a flat end touches
+  // Value of `rim` above which only a small part of a flat end touches.
+  constexpr double smallPart = 3.0;
   constexpr double ofWholeEnd = 0.006;
   constexpr double ofPointed = 0.005;
   constexpr double asIfUpright = 1e-9;

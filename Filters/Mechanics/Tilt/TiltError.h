@@ -13,8 +13,8 @@ struct TiltedLayer
   /// of the layer; 0 on a half-space.
   double radius = 0.0;
   double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
-  double rim =
-    0.0; ///< κ h/D for a tool with a flat end, with the drop h (TiltTerms::dropScale); else 0
+  /// κ h/D for a tool with a flat end, with the drop h (TiltTerms::dropScale); else 0.
+  double rim = 0.0;
 };
 
 /**

@@ -21,16 +21,16 @@ namespace palpate
 {
 namespace
 {
-constexpr double Shallowest =
-  256.0; // ratio of the largest to the smallest depth at which the tool is solved
+// Ratio of the largest to the smallest depth at which the tool is solved.
+constexpr double Shallowest = 256.0;
 constexpr int RowCells = 13; // number of intervals, about two per factor of e in the depth
 constexpr int AngleCells = 11;
 constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
 // Number of samples over the solved depths, plus two more.
 constexpr std::size_t OfRows = SamplesPerRow * RowCells + 2;
-constexpr std::size_t MostSamples =
-  200; // samples at small tilts, down to 1e-7 of the smallest depth
+// Samples at small tilts, down to 1e-7 of the smallest depth.
+constexpr std::size_t MostSamples = 200;
 // Lower bound of contact radius divided by depth, for results of the solver.
 constexpr double Smallest = 1e-9;
 

@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int RisesPerStep =
-  8; // number of samples per step of the slope for a profile that is not convex
+// Number of samples per step of the slope for a profile that is not convex.
+constexpr int RisesPerStep = 8;
 
 std::string pointText(std::size_t i, const ProfilePoint& point)
 {

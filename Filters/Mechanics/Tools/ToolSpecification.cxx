@@ -220,8 +220,8 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
     }
     if (!error.empty())
     {
-      constexpr std::size_t Shown =
-        60; // number of characters; a profile may have thousands of points
+      // Number of characters; a profile may have thousands of points.
+      constexpr std::size_t Shown = 60;
       error.insert(0, "tool '" + text.substr(0, Shown) + (text.size() > Shown ? "…" : "") + "': ");
       return false;
     }
