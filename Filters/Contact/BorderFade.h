@@ -64,8 +64,8 @@ inline double BorderFade::lengthBetween(
   const double alpha = a - cosine * b;
   const double beta = b - cosine * a;
   const double squaredSine = 1.0 - cosine * cosine;
-  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // otherwise the projection is on a border
-                                                        // of the cone
+  // If this condition is false, the projection is on a border of the cone.
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12)
   {
     return std::sqrt((alpha * a + beta * b) / squaredSine);
   }

@@ -75,8 +75,8 @@ enum class ContactState : std::uint8_t
   BeyondRange,
   LostAtBorder,
   Invalid,
-  TiltedTooFar ///< the tilt exceeds the response's largest tilt; the force is that at the largest
-               ///< tilt
+  /// The tilt exceeds the response's largest tilt; the force is that at the largest tilt.
+  TiltedTooFar
 };
 
 /// Result of one tick for a tool, in the body's frame: force (N), torque (N mm), contact point (mm)

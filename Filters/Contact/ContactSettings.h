@@ -35,8 +35,9 @@ enum class FrictionModel : int
 {
   ElastoPlastic, ///< Hayward and Armstrong 2000: stick, creep, slide; no drift below `breakaway`
   Dahl, ///< as ElastoPlastic, but every displacement causes creep, so that a stuck contact drifts
-  ShapeDerived ///< computed from the stored response (Jaeger; Ciavarella); uses only `coefficient`
-               ///< and `poissonRatio`
+  /// Computed from the stored response (Jaeger; Ciavarella); uses only `coefficient` and
+  /// `poissonRatio`.
+  ShapeDerived
 };
 
 /// The friction model and its parameters.

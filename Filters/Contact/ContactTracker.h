@@ -59,8 +59,8 @@ public:
     Outside,
     Inside,
     Border, ///< under an open border, where inside and outside are not defined
-    Crease, ///< under the plane of a face, beyond a crease at its border; only for a followed
-            ///< contact
+    /// Under the plane of a face, beyond a crease at its border; only for a followed contact.
+    Crease,
     Invalid ///< the tip is not finite, or the body has no usable triangle
   };
 

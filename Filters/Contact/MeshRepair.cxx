@@ -17,8 +17,8 @@ struct EdgeUse
   std::int32_t low;
   std::int32_t high;
   std::int32_t triangle;
-  bool rising; ///< whether the side runs from the point with the lower index to that with the
-               ///< higher index
+  /// Whether the side runs from the point with the lower index to that with the higher index.
+  bool rising;
 };
 
 struct Link

@@ -68,10 +68,10 @@ private:
   std::size_t Usable = 0; ///< number of usable triangles
   /// In the order of Order; the corners are indices of packed points.
   std::vector<TriangleCorners> Triangles;
-  std::vector<std::int32_t> Twins; ///< for each point, the first point with the same coordinates;
-                                   ///< empty if all points differ
-  std::vector<TriangleCorners> Joined;  ///< Triangles after points with the same coordinates are
-                                        ///< joined; empty if all points differ
+  /// For each point, the first point with the same coordinates; empty if all points differ.
+  std::vector<std::int32_t> Twins;
+  /// The triangles after points with the same coordinates were joined; empty if all points differ.
+  std::vector<TriangleCorners> Joined;
   std::unique_ptr<TriangleLinks> Links; ///< links of the triangles of joined()
 };
 } // namespace palpate

@@ -77,8 +77,8 @@ public:
   /// so that it is computed once for the three vertices of a triangle.
   struct Place
   {
-    int lower = -1; ///< the position is between samples `lower` and `lower + 1`; -1 if it is below
-                    ///< the first sample
+    /// The position is between samples `lower` and `lower + 1`; -1 if it is below the first sample.
+    int lower = -1;
     bool beyondRange = false;
     double deflection = 0.0;
     double range = 0.0;

@@ -60,8 +60,8 @@ struct SettingRow
 {
   SettingText text;
   SettingRange range;
-  SettingWords words; ///< names of the values of an enumeration, in the order of the values; empty
-                      ///< for a number
+  /// Names of the values of an enumeration, in the order of the values; empty for a number.
+  SettingWords words;
   double (*get)(const ContactSettings&);
   void (*set)(ContactSettings&, double); ///< accepts any value, see faultOfContact()
 

@@ -51,8 +51,9 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner, the value and the slopes are 0; the second derivatives have
-              // no limit there and are set to 0
+      // At the corner, the value and the slopes are 0; the second derivatives have no limit there
+      // and are set to 0.
+      return;
     }
     const double p = a / sum;
     const double q = b / sum;

@@ -165,8 +165,9 @@ void SoundMesh::repair(bool isPiece)
       link();
     }
   };
-  merge(); // before points are joined, because a copy closes the hole around a triangle with
-           // separate points
+  // Copies are merged before points are joined, because a copy closes the hole around a triangle
+  // with separate points.
+  merge();
   if (links->borderEdges() > 0 || losesArea)
   {
     this->joinPoints(*links, joined);

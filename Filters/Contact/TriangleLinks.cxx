@@ -15,8 +15,8 @@ struct EdgeFan
   int alike = 0;  ///< triangles with the direction from -> to, like the given triangle
   int across = 0; ///< triangles with the direction to -> from
   std::int32_t neighbour = TriangleLinks::Border;
-  bool askerIsFirst = true; ///< whether the given triangle is the first one at the edge; used to
-                            ///< count an edge only once
+  /// Whether the given triangle is the first one at the edge; used to count an edge only once.
+  bool askerIsFirst = true;
 };
 
 EdgeFan fanOf(const std::vector<TriangleCorners>& triangles,

@@ -43,8 +43,8 @@ struct IndentationCurve
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  std::vector<double> readings; ///< number of readings averaged in each value; empty if each value
-                                ///< is a single reading
+  /// Number of readings averaged in each value; empty if each value is a single reading.
+  std::vector<double> readings;
   FirstContact start;
 
   void append(double depth, double value, double count)

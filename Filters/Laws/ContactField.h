@@ -59,8 +59,8 @@ struct FieldTriangle
 struct FieldSettings
 {
   double poissonRatio = 0.45; ///< 0 to 0.5
-  double reach = 0.0; ///< radius of the field, mm; with 0, the field is limited only by the angle
-                      ///< between normals
+  /// Radius of the field, mm; with 0, the field is limited only by the angle between normals.
+  double reach = 0.0;
 };
 
 /**

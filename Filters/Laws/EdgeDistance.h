@@ -20,8 +20,8 @@ struct NearEdge
   float distance = Far; ///< distance to the edge along a straight line, mm
   float turn = 0.0F;    ///< angle between the normals on both sides of the edge, rad
   float border = Far;   ///< distance to the border along a straight line, mm
-  bool isSharp = false; ///< whether the edge is a single side between two facets with a turn of
-                        ///< BluntTurn or more
+  /// Whether the edge is a single side between two facets with a turn of BluntTurn or more.
+  bool isSharp = false;
 };
 
 /**

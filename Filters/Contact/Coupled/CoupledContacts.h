@@ -136,8 +136,9 @@ private:
   struct Load
   {
     Pressed found;
-    Pressed pressed; ///< if the tool presses: `found` with its depth on a surface that no other
-                     ///< contact lowers
+    /// `found` with its depth on a surface that no other contact lowers. Set only if the tool
+    /// presses.
+    Pressed pressed;
     bool presses = false;
     double sunk = 0.0;
     double force = 0.0;

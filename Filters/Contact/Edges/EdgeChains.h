@@ -48,11 +48,11 @@ public:
     std::int32_t other = None; ///< the face on the other side
     std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;    ///< whether the chain turns left at the next segment
-    bool goesOnBefore = false; ///< whether the chain continues straight beyond a corner of the face
-                               ///< at the segment's start
-    bool goesOnBehind = false; ///< whether the chain continues straight beyond a corner of the face
-                               ///< at the segment's end
+    bool turnsLeft = false; ///< whether the chain turns left at the next segment
+    /// Whether the chain continues straight beyond a corner of the face at the segment's start.
+    bool goesOnBefore = false;
+    /// Whether the chain continues straight beyond a corner of the face at the segment's end.
+    bool goesOnBehind = false;
     std::array<double, 2> sharpness; ///< see edgeSharpness(); at the start and the end
     /// Normal of the face on the other side, at the start and the end.
     std::array<Vector3, 2> otherNormal;
