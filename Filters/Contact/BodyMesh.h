@@ -41,7 +41,8 @@ public:
     std::size_t borderEdges = 0;
   };
 
-  /// Copies `pointCount` points (x, y, z) and `triangleCount` triangles (three point indices).
+  /// Copies `pointCount` points (x, y, z of each) and `triangleCount` triangles (three point
+  /// indices each).
   BodyMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount);
 
@@ -62,7 +63,7 @@ public:
   {
     return Eigen::Map<const Vector3>(this->Points.data() + 3 * static_cast<std::size_t>(index));
   }
-  /// Whether the triangle is used in contact.
+  /// Returns whether the triangle is usable: it has valid corners and an area.
   bool isUsable(std::int32_t triangle) const noexcept
   {
     return this->Usable[static_cast<std::size_t>(triangle)];
@@ -85,9 +86,11 @@ public:
   {
     return std::find(this->Usable.begin(), this->Usable.end(), true) != this->Usable.end();
   }
-  /// Whether the surface encloses a volume: it has neither a border nor a defect.
+  /// Returns whether the surface encloses a volume. This is the case if it has neither a border nor
+  /// a defect.
   bool isClosed() const noexcept;
-  /// Volume enclosed by the usable triangles, mm³; negative if they are wound inward.
+  /// Returns the volume enclosed by the usable triangles, mm³; negative if the triangles are wound
+  /// inward.
   double enclosedVolume() const noexcept;
 
   /// Returns the point of the triangle closest to the tip; the distance is unsigned.

@@ -32,8 +32,8 @@ namespace palpate
  */
 struct BorderFade
 {
-  double depth = 0.0;    ///< h, mm, >= 0
-  double fraction = 0.0; ///< remaining fraction of the force at that depth, 0 to 1
+  double depth = 0.0;    ///< depth h, mm, >= 0
+  double fraction = 0.0; ///< remaining fraction of the force at depth h, 0 to 1
 
   /// Evaluates the fade for a point on the border of a triangle. `weights` are the area coordinates
   /// of the point: one of them is zero on an edge, two at a corner. `offset` is the vector from the
@@ -122,7 +122,8 @@ inline void BorderFade::reach(const PackedMesh& mesh, const Vector3& tip, Presse
   const BorderFade fade =
     at(mesh, place.triangle, place.projection.weights, tip - place.projection.point);
   pressed.reach.depth = fade.depth - pressed.sunk;
-  pressed.reach.share.value = fade.fraction; // without its gradient: no force pulls the tip back
+  // Its gradient is left 0, so that no force pulls the tip back.
+  pressed.reach.share.value = fade.fraction;
   place.normal = mesh.faceNormal(place.triangle);
   place.weightGradients.setZero();
 }

@@ -87,7 +87,7 @@ private:
   Place crossing(Place low, Place high) const noexcept;
   /// Applies the limit to F and dF/dδ (`value`) at a deflection.
   ResponseValue cap(double deflection, ResponseValue value) const noexcept;
-  /// The force by which the cap reduces F at δ > 0, N.
+  /// Returns the force by which the limit of the stiffness reduces F at δ > 0, N.
   double lost(double deflection, double force) const noexcept;
   /// As lost(), for a stiffness that only increases and exceeds K_max at δ.
   double lostByRise(double deflection, double force) const noexcept;

@@ -58,7 +58,7 @@ struct SurfacePoint
 /// Normal and gradients are those of the smooth surface or those of EnergyGradient::onFacet.
 struct ContactPlace : SurfacePoint
 {
-  bool isSmooth = false; ///< true: on the smooth surface; false: on the facets
+  bool isSmooth = false; ///< whether the contact is on the smooth surface instead of the facets
   /// Unit normal of the surface, outward. At an edge or corner of facets it points from the tip to
   /// the closest point.
   Vector3 normal = Vector3::Zero();
@@ -85,7 +85,7 @@ struct Contact
 {
   ContactState state = ContactState::None;
   Vector3 force = Vector3::Zero();    ///< total force on the tool, N
-  Vector3 friction = Vector3::Zero(); ///< the part of `force` due to friction
+  Vector3 friction = Vector3::Zero(); ///< part of `force` that is due to friction, N
   /// Torque on the tool about its tip, N mm; zero if its axis is unknown or the response has no
   /// tilt data.
   Vector3 torque = Vector3::Zero();

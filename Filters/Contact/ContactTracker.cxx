@@ -35,7 +35,7 @@ double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
   return std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
-/// The nearest point found so far, and its triangle.
+/// The nearest point found so far and its triangle.
 struct Place
 {
   std::int32_t triangle;
@@ -105,7 +105,8 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
     }
     if (onFace && mesh.isCertainlyNearest(tip, place.triangle, place.projection))
     {
-      const double depth = std::sqrt(place.projection.squaredDistance); // the tip is inside
+      // Negative, because the tip is inside.
+      const double depth = std::sqrt(place.projection.squaredDistance);
       return { place.triangle, place.projection, -depth, false };
     }
     if (!searchAround(mesh, tip, place))
@@ -147,7 +148,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
     const SurfacePoint facet = follow(this->Mesh, tip, triangle);
     if (facet.triangle < 0)
     {
-      return {}; // the tip moved too far: search the whole body
+      return {}; // the tip moved too far; the caller searches the whole body
     }
     if (facet.triangle != triangle)
     {

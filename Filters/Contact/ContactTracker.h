@@ -73,14 +73,14 @@ public:
     ContactPlace place;
   };
 
-  /// Tracks on the facets.
+  /// Creates a tracker on the facets.
   ContactTracker(const PackedMesh& mesh, const TriangleTree& tree) noexcept
     : Mesh(mesh)
     , Tree(tree)
     , Search(tree)
   {
   }
-  /// Tracks on the smooth surface.
+  /// Creates a tracker on the smooth surface.
   ContactTracker(
     const PackedMesh& mesh, const TriangleTree& tree, const ResponseField& response) noexcept
     : ContactTracker(mesh, tree)
@@ -164,7 +164,7 @@ private:
   TriangleSearch Search; ///< search of the whole body; its cache only reduces the time
   std::optional<SmoothContact> Smooth; ///< empty if contacts are on the facets
   ContactPlace Last;                   ///< its triangle is -1 if there is no contact
-  Vector3 Tip = Vector3::Zero();       ///< tip at the last contact; used only on the smooth surface
+  Vector3 Tip = Vector3::Zero(); ///< tip at the last contact, mm; used only on the smooth surface
 };
 } // namespace palpate
 

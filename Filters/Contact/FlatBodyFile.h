@@ -19,11 +19,11 @@ struct FlatBody
 {
   std::size_t points = 0;
   std::size_t triangles = 0;
-  const double* coordinates = nullptr;   ///< 3 per point
+  const double* coordinates = nullptr;   ///< 3 values per point
   const std::int32_t* corners = nullptr; ///< 3 per triangle, counter-clockwise as seen from outside
   ResponseArrays response;               ///< response at the same points
-  const float* validity = nullptr;       ///< 1 per point
-  const std::uint8_t* limit = nullptr;   ///< 1 per point
+  const float* validity = nullptr;       ///< 1 value per point
+  const std::uint8_t* limit = nullptr;   ///< 1 value per point
   std::string tool;                      ///< specification of the tool for parseTool()
   std::string model;
   int modelParts = 0; ///< sum of ModelPart
@@ -54,7 +54,8 @@ public:
   /// returns "".
   std::string open(const std::string& path);
 
-  /// The content; its pointers are valid until the next open() or the end of this object.
+  /// Returns the content of the file. Its pointers are valid until the next open() or the end of
+  /// this object.
   const FlatBody& body() const noexcept { return this->Body; }
 
 private:

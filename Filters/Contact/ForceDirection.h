@@ -50,7 +50,7 @@ private:
   }
   /// Returns 1/√x.
   static double inverseRoot(double x) noexcept;
-  /// Σ n_i factor_i U_i.
+  /// Returns Σ n_i factor_i U_i, where n_i are the weights and U_i the normals at the corners.
   static Vector3 sumOfNormals(const ResponseField& response, const TriangleCorners& corners,
     const Vector3& weights, const Vector3& factors) noexcept
   {
@@ -68,7 +68,8 @@ private:
 // to rounding, and is faster than a square root and a division.
 inline double ForceDirection::inverseRoot(double x) noexcept
 {
-  constexpr double little = 0.01; // its eighth power, times 0.2, is 2e-17
+  // The first omitted term of the series is 0.2 little⁸, that is 2e-17.
+  constexpr double little = 0.01;
   const double e = 1.0 - x;
   if (!(std::abs(e) < little))
   {
@@ -101,7 +102,7 @@ inline ForceDirection ForceDirection::of(ForceForm form, const ResponseField& re
     sum = outwardPart(sumOfNormals(response, corners, weights, forces), out);
     direction.ratio = sum.norm() / upright;
   }
-  if (sum.isZero(0.0)) // another form, or Paper's force is zero
+  if (sum.isZero(0.0)) // the form is not Paper, or its force is zero
   {
     // On a smooth surface the normal differs from the interpolated normals of the facet.
     sum = outward(

@@ -24,7 +24,7 @@ bool isValid(const FrictionSettings& settings)
 }
 
 constexpr int MostPieces = 40;
-constexpr double LongestPiece = 1.0 / 8.0; ///< fraction of z_max
+constexpr double LongestPiece = 1.0 / 8.0; ///< largest length of a piece, as a fraction of z_max
 /// Largest distance from the limit for slideOn(), as a fraction of z_max.
 constexpr double LastBit = 0.005;
 /// Largest ratio of the components of z across and along the path for slideOn().
@@ -153,7 +153,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    // The length of the path times cos θ, from d|z|/dx = (1 - α|z|) cos θ.
+    // The length of the path multiplied by cos θ, from d|z|/dx = (1 - α|z|) cos θ.
     const double bit = missing * (1.0 + w * this->InverseWidth8);
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))

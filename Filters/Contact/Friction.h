@@ -209,7 +209,7 @@ private:
   struct Springs
   {
     std::size_t count = 0;
-    std::array<double, Cells * PerCell> stiffness; ///< normal, N/mm
+    std::array<double, Cells * PerCell> stiffness; ///< normal stiffness of the spring, N/mm
     std::array<double, Cells * PerCell> level;     ///< depth at which the spring touches, mm
   };
 
@@ -246,7 +246,7 @@ private:
     const double scale = normalForce / load;
     if (!(scale > 0.0) || !std::isfinite(scale) || !std::isfinite(load))
     {
-      return {}; // no force, or the response is zero
+      return {}; // there is no force, or the response is zero
     }
     for (std::size_t j = 0; j < springs.count; ++j)
     {
@@ -310,8 +310,8 @@ public:
   /// Result of one tick.
   struct Result
   {
-    Vector3 force = Vector3::Zero(); ///< on the tool, tangential, N
-    bool sliding = true;             ///< Coulomb's limit is reached; else the contact sticks
+    Vector3 force = Vector3::Zero(); ///< tangential force on the tool, N
+    bool sliding = true; ///< whether Coulomb's limit is reached; otherwise the contact sticks
   };
 
   /// Adds the contact of this tick and returns its friction. `contactPoint` is the point on the
@@ -350,7 +350,8 @@ public:
 private:
   bool advance(const Vector3& contactPoint, const Vector3& normal, double normalForce,
     double deflection) noexcept;
-  static constexpr double UnitTolerance = 1e-3; ///< tolerance of the squared length of a normal
+  /// Tolerance of the squared length of a unit normal.
+  static constexpr double UnitTolerance = 1e-3;
 
   FrictionModel Model;
   bool Enabled;

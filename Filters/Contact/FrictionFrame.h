@@ -26,7 +26,7 @@ using Vector2 = Eigen::Vector2d;
 class StraightStep
 {
 public:
-  /// No displacement.
+  /// Creates a step without displacement.
   StraightStep() = default;
   /// A displacement along `direction`, which may have any length except 0. `length` is in mm.
   StraightStep(const Vector2& direction, double length) noexcept
@@ -83,7 +83,7 @@ public:
   /// coefficients are in the code, whereas the library's function reads a table from memory.
   static double decay(double x) noexcept
   {
-    constexpr double little = 0.25; // x^12/12! is 1e-16
+    constexpr double little = 0.25; // the first omitted term, x^12/12!, is 1e-16
     if (!(x < little))
     {
       return std::exp(-x);
@@ -146,7 +146,7 @@ struct TangentialForce
 class PALPATE_EXPORT FrictionFrame
 {
 public:
-  /// Forgets the last contact.
+  /// Ends the history. The next advance() starts the frame at its point.
   void reset() noexcept { this->Started = false; }
 
   /// Moves the frame to the next contact. `point` is on the undeformed surface, mm; `normal` is a
@@ -154,7 +154,7 @@ public:
   /// frame starts at `point` with displacement 0.
   bool advance(const Vector3& point, const Vector3& normal) noexcept;
 
-  /// The displacement of the last advance, mm, in this frame.
+  /// Returns the displacement of the last advance(), mm, in the coordinates of this frame.
   const StraightStep& step() const noexcept { return this->Step; }
 
   bool isStarted() const noexcept { return this->Started; }
@@ -221,7 +221,8 @@ private:
   const double seen = along.squaredNorm();
   if (seen > 0.0)
   {
-    // LargestStretch times the length of the tangential chord, which is |along|/2.
+    // Longest permitted displacement: LargestStretch times the length of the tangential chord,
+    // which is |along|/2. The variable holds its square.
     const double longest = 0.25 * LargestStretch * LargestStretch * seen;
     const double arc = std::sqrt(std::min(chord.squaredNorm(), longest)) * arcOfChord(cosine);
     this->Step = StraightStep(along, arc);

@@ -66,7 +66,8 @@ void* ordinary(std::size_t bytes)
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
-  const std::size_t asked = size + PageSize; // contains an aligned block of `size`
+  // Large enough to contain an aligned block of `size` bytes.
+  const std::size_t asked = size + PageSize;
   void* memory = mmap(nullptr, asked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
   {
@@ -131,7 +132,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest block: its memory can be used again
+    page->used -= size; // the block is the newest one, so that its memory can be used again
   }
 }
 } // namespace palpate

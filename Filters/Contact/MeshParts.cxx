@@ -196,7 +196,7 @@ private:
       });
   }
 
-  /// Visits the corners of the triangles that close the holes of a part.
+  /// Calls visit() for the corners of the triangles that close the holes of a part.
   template <class Visit>
   void forCaps(const Part& part, const Visit& visit) const
   {
@@ -248,7 +248,8 @@ private:
     this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
   }
 
-  /// Returns the walls that two solids share; copies of parts are left out of the mesh.
+  /// Finds the walls that two solids share, and leaves out copies of parts. Returns the triangles
+  /// of the walls.
   std::vector<std::int32_t> findWalls()
   {
     if (this->All.size() < 2)
@@ -387,7 +388,7 @@ private:
   const TriangleLinks& Links;
   std::vector<std::int32_t> Order; ///< triangles, part by part
   std::vector<Part> All;
-  std::vector<bool> IsWall; ///< for each triangle; empty: no triangle is a wall
+  std::vector<bool> IsWall; ///< one value for each triangle; empty if no triangle is a wall
   mutable std::unordered_map<std::size_t, TriangleColumns> Columns;
 };
 } // namespace

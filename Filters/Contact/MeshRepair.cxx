@@ -186,7 +186,8 @@ void joinEmptyEdges(
 
 void followJoints(std::vector<std::int32_t>& first)
 {
-  for (std::int32_t& point : first) // first[point] <= point is already final
+  // First[point] <= point; the entry at first[point] is already final.
+  for (std::int32_t& point : first)
   {
     point = first[static_cast<std::size_t>(point)];
   }

@@ -66,7 +66,7 @@ SurfacePoint PackedMesh::orient(
   found.triangle = triangle;
   found.projection = projection;
   const auto feature = static_cast<std::size_t>(projection.feature);
-  Vector3 normal; // not normalised
+  Vector3 normal; // normal of the closest feature, not normalised
   if (projection.feature == TriangleFeature::Face)
   {
     normal = this->areaNormal(triangle);

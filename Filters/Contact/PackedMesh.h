@@ -62,9 +62,12 @@ class PALPATE_EXPORT PackedMesh
 public:
   using Defects = MeshDefects;
 
-  static constexpr std::int32_t Border = -1; ///< there is no triangle across an edge
-  static constexpr std::int32_t Seam = -2;   ///< the triangle across an edge has no area
-  static constexpr std::int32_t Crease = -3; ///< the surface is cut along a sharp edge
+  /// Value of neighbour() if there is no triangle across the edge.
+  static constexpr std::int32_t Border = -1;
+  /// Value of neighbour() if the triangle across the edge has no area.
+  static constexpr std::int32_t Seam = -2;
+  /// Value of neighbour() if the surface is cut along the edge.
+  static constexpr std::int32_t Crease = -3;
 
   /// A crease with a turn below this angle (rad) is blunt.
   static constexpr double BluntTurn = 1.309; // 75°
@@ -162,7 +165,7 @@ public:
   bool isUnderCorner(const Vector3& tip, const SurfacePoint& closest) const noexcept;
   /// Both sides of each crease, ordered by triangle.
   const std::vector<CreaseSide>& creases() const noexcept { return this->Creases; }
-  /// Whether a corner of the triangle is on a crease that is not cut.
+  /// Returns whether a corner of the triangle is on a crease that is not cut.
   bool isFolded(std::int32_t triangle) const noexcept
   {
     return !this->Folded.empty() && this->Folded[static_cast<std::size_t>(triangle)] != 0;
@@ -295,7 +298,7 @@ private:
     Vector3 normal;
   };
   std::vector<CreaseSide> Creases;
-  std::vector<std::uint8_t> Folded; ///< 1 per triangle; empty if no triangle is folded
+  std::vector<std::uint8_t> Folded; ///< 1 value per triangle; empty if no triangle is folded
   std::vector<CornerNormal> CornerNormals;
   Defects Found;
   std::string Fault;

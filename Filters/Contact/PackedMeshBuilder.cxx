@@ -229,7 +229,7 @@ void PackedMesh::Builder::packRecords()
   this->Mesh.Found.borderEdges = borderEdges;
 }
 
-/// Angle-weighted sum of the normals of the triangles around a point.
+/// Returns the angle-weighted sum of the normals of the triangles around a point.
 Vector3 PackedMesh::Builder::sumOfNormals(std::size_t point) const
 {
   const Vector3 at = pointAt(this->Coordinates, static_cast<std::int32_t>(point));

@@ -23,7 +23,7 @@ enum class ResponseStatus : std::uint8_t
   NotFinite,
   Folded,
   OutOfReach,
-  Edge ///< interpolated from its neighbours; usable
+  Edge ///< the response is interpolated from the neighbours of the point; it can be used
 };
 
 /// The assumption of the law that breaks first at a point. These are the codes of the array
@@ -169,7 +169,7 @@ struct ContractArray
     Coupling,   ///< terms for the coupling of contacts; may be absent
     Tilt,       ///< terms for the effect of tilting the tool; may be absent
     Layers,     ///< the layers under each point, for the displacement field; may be absent
-    Remark      ///< how a filter chose, reduced or compared the response; may be absent
+    Remark      ///< texts about the choice, reduction or comparison of the response; may be absent
   };
 
   ResponseArray array;

@@ -28,7 +28,7 @@ inline std::string settingInWords(const std::string& name)
 struct SettingFault
 {
   std::string name;   ///< name of the property of the filters, "FrictionCoefficient"
-  std::string remark; ///< "must be finite and not negative, but is -1"
+  std::string remark; ///< text such as "must be finite and not negative, but is -1"
 
   /// Returns the fault of a value that is not allowed. `demand` continues the phrase "must", for
   /// example "be positive".

@@ -13,7 +13,7 @@
 
 namespace palpate
 {
-/// One of the values of an enumeration.
+/// Names of one value of an enumeration.
 struct SettingWord
 {
   /// Name of the enumerator, "NormalizedDirection"; null if the entry is unused.
@@ -28,7 +28,7 @@ struct SettingText
 {
   const char* name;   ///< name of the property, "FrictionCoefficient"
   const char* option; ///< command-line option without dashes; null if there is no option
-  const char* unit;   ///< "" for ratios and enumerations
+  const char* unit;   ///< unit; "" for ratios and enumerations
   /// Description of the setting, with unit and range but without the default. It begins with a
   /// small letter and ends without a full stop.
   const char* help;
@@ -63,7 +63,7 @@ struct SettingRow
   /// Names of the values of an enumeration, in the order of the values; empty for a number.
   SettingWords words;
   double (*get)(const ContactSettings&);
-  void (*set)(ContactSettings&, double); ///< accepts any value, see faultOfContact()
+  void (*set)(ContactSettings&, double); ///< accepts any value; faultOfContact() checks it
 
   constexpr bool isEnumeration() const { return this->words[0].name != nullptr; }
   constexpr double usual() const { return this->get(ContactSettings{}); }

@@ -44,7 +44,7 @@ struct Distance
     {
       const double halfTrace = 0.5 * (hvv * ww + hww * vv - 2.0 * hvw * vw) / metric;
       const double least =
-        halfTrace - std::sqrt(std::max(0.0, halfTrace * halfTrace - share)); // 1 - δ/R
+        halfTrace - std::sqrt(std::max(0.0, halfTrace * halfTrace - share)); // equals 1 - δ/R
       constexpr double enough = 0.25;
       hvv += (enough - least) * vv;
       hvw += (enough - least) * vw;
@@ -101,7 +101,7 @@ bool SmoothContact::load(std::int32_t triangle) noexcept
   return this->IsSound;
 }
 
-/// State of the search.
+/// State of the search for the closest point.
 class SmoothContact::Descent
 {
 public:
@@ -254,7 +254,7 @@ private:
 
   struct Exit
   {
-    int corner; ///< opposite the edge
+    int corner; ///< corner opposite the edge
     double share;
   };
   /// Returns the fraction of the step to `next` at which the first weight becomes 0. Weights that

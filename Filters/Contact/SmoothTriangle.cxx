@@ -76,7 +76,7 @@ struct Blend
 evaluatePatch(const StoredFour* control, const StoredFour* twists, const Vector3& u) noexcept
 {
   std::array<Four, 10> cubic;
-  std::array<Four, 6> c; // j, r: 00 10 20 01 11 02
+  std::array<Four, 6> c; // indices j, r of the points: 00 10 20 01 11 02
   std::array<Four, 3> d;
   cut<4>(control, u, cubic.data());
   cut<3>(cubic.data(), u, c.data());
@@ -163,7 +163,7 @@ struct SmoothTriangle::Edge
     this->across[2] = nb.cross(unitB);
     const Vector3 sum = this->across[0] + this->across[2];
     const double norm = sum.norm();
-    if (!(norm > 1e-3)) // the directions across the edge at its ends are opposite
+    if (!(norm > 1e-3)) // the directions across the edge at its two ends are opposite
     {
       return;
     }
@@ -243,7 +243,7 @@ bool SmoothTriangle::build(
   }
   const std::array<Edge, 3> edges = { Edge(points[0], points[1], unit[0], unit[1]),
     Edge(points[1], points[2], unit[1], unit[2]), Edge(points[2], points[0], unit[2], unit[0]) };
-  std::array<std::array<Vector3, 2>, 3> inside; // [edge][step]
+  std::array<std::array<Vector3, 2>, 3> inside; // indices: [edge][step]
   for (int e = 0; e < 3; ++e)
   {
     const Edge& edge = edges[static_cast<std::size_t>(e)];

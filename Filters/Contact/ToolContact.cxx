@@ -169,7 +169,7 @@ void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
   {
     this->addMemory(work, at, result);
   }
-  const double whole = work.byDepth; // force without the effect of edges and borders
+  const double whole = work.byDepth; // normal force without the effect of edges and borders, N
   const Vector3 out = this->vectorToContact(place);
   const ForceDirection direction = ForceDirection::of(
     this->Settings.form, this->Body.response, this->LastCorners, at, upright.force, out);

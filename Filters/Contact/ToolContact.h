@@ -73,7 +73,7 @@ public:
     return this->feel(at, 0.0);
   }
 
-  /// First half of an update: finds the contact.
+  /// First half of an update: finds the contact point.
   Pressed find(const ToolPose& pose) noexcept;
   Pressed find(const ToolPose& pose, double elapsed) noexcept;
   /// Second half of an update: computes the result for a contact of find(). `lowering` is the
@@ -178,7 +178,7 @@ private:
   ContactSettings Settings;
   ContactTracker Tracker;
   Friction Resistance;
-  Vector3 LastTip = Vector3::Zero();  ///< the tip, or the followed point of a tilted tool
+  Vector3 LastTip = Vector3::Zero();  ///< tip, or followed point of a tilted tool
   Vector3 LastStep = Vector3::Zero(); ///< vector from the preceding LastTip to LastTip
   EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
@@ -186,7 +186,7 @@ private:
   /// Slow response at the last contact, without the effect of edges and borders.
   ResponseValue Slow;
   ContactTilt Tilt;
-  ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
+  ContactRelaxation Relaxation; ///< the last member, because most bodies do not relax
 };
 } // namespace palpate
 

@@ -54,7 +54,7 @@ public:
     const Lanes ab = minus(to[1], to[0]);
     const Lanes bc = minus(to[2], to[1]);
     const Lanes ca = minus(to[0], to[2]);
-    const Lanes normal = cross(ab, ca); // inward; its length is twice the area
+    const Lanes normal = cross(ab, ca); // directed inward; its length is twice the area
     const Lane area2 = dot(normal, normal);
     const Lane height = dot(normal, to[0]);
     const Lane ab2 = dot(ab, ab);
@@ -82,7 +82,7 @@ private:
   using Lanes = std::array<Lane, 3>; ///< x, y, z
 
   static constexpr float SliverSine2 = 1e-3F;
-  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4, so that no divisor is a denormal number
+  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4; prevents denormal divisors
 
   /// Loads the coordinates: one Lanes per corner, one Lane per coordinate, with one value for each
   /// triangle.
@@ -134,7 +134,8 @@ public:
   NearestTriangle(const Vector3& tip, double size)
   {
     const double largest = tip.cwiseAbs().maxCoeff();
-    this->TipRounding = 6e-8 * 2.0 * largest; // error of the tip's conversion to floats: √3/2 ulp
+    // Error of converting the tip to floats: √3/2 units in the last place.
+    this->TipRounding = 6e-8 * 2.0 * largest;
     this->BoundRounding = largest + size < TriangleBound::LargestCoordinate
       ? TriangleBound::Rounding * (largest + size)
       : std::numeric_limits<double>::infinity();
@@ -168,7 +169,8 @@ private:
 
   static double squared(double reach) noexcept
   {
-    return reach * reach * (1.0 + 1e-6); // a dozen roundings of the float distance
+    // The factor covers a dozen rounding errors of the float distance.
+    return reach * reach * (1.0 + 1e-6);
   }
 
   double TipRounding;

@@ -75,8 +75,9 @@ void TriangleTree::buildLeaves()
           const auto column = static_cast<Eigen::Index>((t - r * inRow) / LeafSize);
           for (int corner = 0; corner < 3; ++corner)
           {
+            // The conversion is exact.
             const Eigen::Vector3f p =
-              this->Mesh.corner(static_cast<std::int32_t>(t), corner).cast<float>(); // exact
+              this->Mesh.corner(static_cast<std::int32_t>(t), corner).cast<float>();
             for (std::size_t k = 0; k < 3; ++k)
             {
               float& low = boxes.low[k][column];
@@ -238,7 +239,7 @@ bool TriangleTree::comesFirst(
   const Row distances = this->Levels[level][a / Width].squaredDistances(rounded);
   const float toA = distances[static_cast<Eigen::Index>(a % Width)];
   const float toB = distances[static_cast<Eigen::Index>(b % Width)];
-  return toA < toB || (toA == toB && a > b); // the order in which closestWithin() visits them
+  return toA < toB || (toA == toB && a > b); // triangles are ordered as closestWithin() visits them
 }
 
 std::size_t TriangleTree::memory() const noexcept

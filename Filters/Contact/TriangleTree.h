@@ -58,8 +58,8 @@ public:
 private:
   friend class TriangleSearch;
 
-  static constexpr std::size_t LeafSize = 4; ///< triangles in a box of the lowest level
-  static constexpr std::size_t Width = 8;    ///< boxes tested at once
+  static constexpr std::size_t LeafSize = 4; ///< number of triangles in a box of the lowest level
+  static constexpr std::size_t Width = 8;    ///< number of boxes tested at once
   using Row = Eigen::Array<float, Width, 1>;
 
   /// Eight boxes, stored coordinate by coordinate. Missing boxes are empty.
@@ -97,7 +97,7 @@ private:
   /// The lowest level first; the last level has one row of boxes.
   std::vector<LargeVector<Boxes>> Levels;
   double Size = 0.0;    ///< largest absolute local coordinate of the body
-  double Horizon = 0.0; ///< limit of tip coordinates, see isBeyondHorizon()
+  double Horizon = 0.0; ///< limit of the tip's coordinates, mm; see isBeyondHorizon()
 };
 
 /**
@@ -127,7 +127,7 @@ public:
 
 private:
   static constexpr std::size_t Width = TriangleTree::Width;
-  static constexpr std::size_t Capacity = 8 * Width; ///< boxes stored
+  static constexpr std::size_t Capacity = 8 * Width; ///< largest number of stored boxes
   static constexpr int MaximumSteps = 8; ///< largest number of steps of a walk over faces
 
   struct Place

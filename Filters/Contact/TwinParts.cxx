@@ -47,7 +47,7 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
     }
     return std::pair(places, isEven);
   };
-  std::vector<std::pair<std::size_t, std::int32_t>> order; // sorted by hash
+  std::vector<std::pair<std::size_t, std::int32_t>> order; // hash and triangle, sorted by hash
   order.reserve(candidates.size());
   for (const std::int32_t t : candidates)
   {
@@ -160,9 +160,9 @@ private:
   std::vector<TriangleCorners>& Triangles;
   const std::vector<std::int32_t>& Order;
   const std::vector<MeshPart>& Parts;
-  std::vector<std::size_t> PartOf; ///< for each triangle
+  std::vector<std::size_t> PartOf; ///< index of the part of each triangle
   std::vector<TwinTriangles> Pairs;
-  std::vector<bool> IsCopy; ///< for each part
+  std::vector<bool> IsCopy; ///< one value for each part
 };
 } // namespace
 

@@ -53,7 +53,7 @@ struct IndentationCurve
     this->force.push_back(value);
     this->readings.push_back(count);
   }
-  /// Largest net force, N.
+  /// Returns the largest net force, N.
   double largestForce() const
   {
     double largest = -std::numeric_limits<double>::infinity();

@@ -39,7 +39,7 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// Returns the common noise of all curves.
+/// Returns the common noise of all curves, N.
 ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
 {
   double squares = 0.0;
@@ -127,7 +127,7 @@ std::string BodyIdentification::checkDetermined(
   return {};
 }
 
-/// Chooses a model. Returns the reason if no model can be chosen, or "".
+/// Chooses a model. Returns the reason if no model can be chosen, else "".
 std::string BodyIdentification::choose(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {

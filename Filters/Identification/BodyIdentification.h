@@ -16,7 +16,7 @@
 
 namespace palpate
 {
-/// Known properties, and the limits of an acceptable fit.
+/// Options of an identification: known properties, and limits for an acceptable fit.
 struct IdentificationOptions
 {
   /// The model to fit. If it is not given, the simplest sufficient model is chosen.

@@ -51,7 +51,7 @@ std::vector<std::size_t> turningPoints(const std::vector<double>& deflection, do
   std::vector<std::size_t> turns = { 0 };
   std::size_t low = 0;
   std::size_t high = 0;
-  int direction = 0; // +1 rising, -1 falling, 0 unknown
+  int direction = 0; // +1 if rising, -1 if falling, 0 if unknown
   for (std::size_t i = 1; i < deflection.size(); ++i)
   {
     low = deflection[i] < deflection[low] ? i : low;
@@ -156,7 +156,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns the relative decrease of the force between two readings while the depth is at rest.
+/// Returns the relative decrease of the force between two readings at constant depth.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;

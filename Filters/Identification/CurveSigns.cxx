@@ -27,7 +27,7 @@ constexpr double DepthFraction = 0.1;
 // Largest number of readings that count as the first readings.
 constexpr std::size_t MostStartReadings = 20;
 constexpr double UnitStrain = 0.4;   // contact radius divided by tip radius, for the check of units
-constexpr double DepthRatio = 100.0; // implausible depth, as a multiple of the depth of UnitStrain
+constexpr double DepthRatio = 100.0; // implausible depth, as a multiple of the depth at UnitStrain
 
 double median(std::vector<double> values)
 {

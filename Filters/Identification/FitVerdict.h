@@ -60,7 +60,7 @@ std::string checkBaseline(const std::vector<IndentationCurve>& curves, const Bod
 /// Returns whether the contact of a tool has the same radius at every depth.
 bool isFlat(const AxisymmetricTool& tool);
 
-/// The message that curves of flat punches alone cannot be identified.
+/// The message for curves of flat punches alone, which do not identify a body.
 extern const char* const FlatAlone;
 } // namespace palpate
 

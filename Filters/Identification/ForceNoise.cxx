@@ -10,7 +10,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), for normal noise
+// 1/Φ⁻¹(3/4); ratio of standard deviation to median for normal noise.
+constexpr double DeviationPerMedian = 1.482602218505602;
 // Fraction of the range of depths. Readings whose depths differ by less count as readings at equal
 // depth.
 constexpr double TieShare = 1e-9;

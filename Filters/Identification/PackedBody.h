@@ -78,7 +78,7 @@ protected:
     double deflection, double readings) const;
   /// Returns whether a step has resulted in a valid body.
   static bool isUsable(const BodyParameters& body);
-  /// The scale by which ln h or C_g is packed.
+  /// Scale by which C_g is packed; 1 for ln h.
   double secondScale() const
   {
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;

@@ -12,15 +12,15 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // if there are more readings, they are averaged
-constexpr double DepthShare = 0.005; // fraction of the range within which readings are averaged
+constexpr std::size_t ManyReadings = 600; // number of readings above which readings are averaged
+constexpr double DepthShare = 0.005;      // fraction of the range over which readings are averaged
 // Fraction of the time since the last turning point over which readings are averaged.
 constexpr double TimeShare = 0.03;
 // Fraction of the range. Between two points that are farther apart, points are inserted.
 constexpr double StepShare = 0.02;
 // Shortest resolved relaxation time, as a fraction of the time of a press.
 constexpr double RampShare = 1.0 / 15.0;
-// Uncertainty of the estimated contact as a fraction of the depth.
+// Uncertainty of the estimated depth of first contact, as a fraction of the depth.
 constexpr double ContactShare = 0.1;
 constexpr double LittleShare = 0.02; // a reversal by less than this fraction of the depth is noise
 

@@ -25,7 +25,7 @@ struct PressHistory
   std::vector<double> force;      ///< N
   /// Number of readings averaged at each point; 0 for an inserted point without a reading.
   std::vector<double> readings;
-  IndentationCurve loading; ///< the arranged loadings only, for the initial values of a fit
+  IndentationCurve loading; ///< only the loadings, arranged; used for the initial values of a fit
   ForceNoise noise;         ///< noise of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }

@@ -41,8 +41,8 @@ PALPATE_EXPORT std::optional<RelaxationFit> fitRelaxingBody(
 PALPATE_EXPORT double modulusErrorBesideCompliance(const std::vector<PressHistory>& histories,
   const RelaxationFit& halfSpace, bool findContact, bool isSeriesGiven);
 
-/// Returns the forces of a relaxing body at the points of a history, N. `offset` has the same
-/// meaning as in RelaxingFoundation::follow.
+/// Returns the forces of a relaxing body at the points of a history, N. `offset` is the deflection
+/// at first contact, mm, as in RelaxingFoundation::follow().
 PALPATE_EXPORT std::vector<double> forcesOver(const PressHistory& history,
   const BodyParameters& body, const PronySeries& series,
   const std::shared_ptr<const LayerKernel>& kernel, double offset);

@@ -47,7 +47,8 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
     curve.force = VectorXd::Zero(count);
   }
   curves[0].stiffness = VectorXd::Zero(count);
-  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // the stiffness at 0 is not used
+  // Any finite value, because the stiffness at 0 is not used.
+  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness;
   for (Index j = 1; j < count; ++j)
   {
     const Sensitivity at = law.at(depths[j]);
@@ -191,7 +192,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
       }
     }
   }
-  if (!(depth > 0.0)) // no contact
+  if (!(depth > 0.0)) // there is no contact
   {
     if (residuals)
     {

@@ -78,7 +78,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window)
 {
-  if (!(window.shortest > 0.0)) // no contact
+  if (!(window.shortest > 0.0)) // there is no contact
   {
     return {};
   }

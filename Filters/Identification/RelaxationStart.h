@@ -14,8 +14,8 @@ namespace palpate
 struct RelaxationSpectrum
 {
   double slow = 0.0;
-  std::vector<double> strength; ///< > 0
-  std::vector<double> time;     ///< s, ascending
+  std::vector<double> strength; ///< strength of each branch, > 0
+  std::vector<double> time;     ///< relaxation time of each branch, s, ascending
 
   /// Returns the spectrum reduced to at most `count` branches. Neighbouring branches that are close
   /// or weak are merged.

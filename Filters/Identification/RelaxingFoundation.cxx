@@ -60,7 +60,7 @@ double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
   {
     return 0.0;
   }
-  // Rounding errors may change the index by one.
+  // Rounding errors may change the index j by one.
   auto j = static_cast<Index>(static_cast<double>(last) * std::sqrt(depth / this->Depths[last]));
   j = std::clamp<Index>(j, 0, last - 1);
   const double width = this->Depths[j + 1] - this->Depths[j];

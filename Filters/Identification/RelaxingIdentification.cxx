@@ -35,7 +35,7 @@ std::size_t countOf(const PressHistory& history)
     std::accumulate(history.readings.begin(), history.readings.end(), 0.0));
 }
 
-/// Identifies one site.
+/// Identifies a relaxing body at one site.
 class Identifier
 {
 public:

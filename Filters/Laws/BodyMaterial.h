@@ -61,7 +61,7 @@ public:
     /// Returns the whole stack; it has no layers if the body is not a stack.
     LayerStack stack() const;
   };
-  /// Values that override the constants. Each array has a value for every point, or no values.
+  /// Values that override the constants. Each array has one value for every point, or is empty.
   struct Values
   {
     PointValues youngsModulus; ///< MPa

@@ -148,7 +148,7 @@ void ContactField::bend(
 {
   for (const FieldTriangle::Mode& mode : triangle.modes)
   {
-    double here = 0.0; // n·φ
+    double here = 0.0; // n·φ at the contact point
     for (std::size_t i = 0; i < 3; ++i)
     {
       here += weights[static_cast<Eigen::Index>(i)] * contact.normal.dot(mode.vectors[i]);

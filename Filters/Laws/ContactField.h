@@ -101,7 +101,7 @@ public:
   /// half-space.
   static constexpr double CosineOfEnd = 0.5;
   static constexpr double CosineOfFade = 0.642787610; ///< cosine of 50°
-  static constexpr double FadeBegin = 0.75;           ///< fraction of the reach
+  static constexpr double FadeBegin = 0.75; ///< fraction of the reach at which the fade begins
 
   ContactField() = default; ///< creates an empty field, which is zero everywhere
   /// `tool` must outlive the field. `kernel` receives the kernel of the most recent layer. The
@@ -128,7 +128,7 @@ public:
 
   bool isEmpty() const { return !this->Law; }
   double localDeflection() const { return this->Deflection; }
-  double contactRadius() const { return this->Radius; } ///< mm; 0 if empty
+  double contactRadius() const { return this->Radius; } ///< mm; 0 for an empty field
   double reach() const { return this->Reach; }
   /// Radius of an edge of the tool within the contact, mm; 0 if there is no such edge. At this
   /// radius the slope of u_z is discontinuous.

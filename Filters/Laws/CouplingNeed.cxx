@@ -16,7 +16,7 @@ namespace
 {
 constexpr double SearchStep = 0.99; // ratio of consecutive distances in the search
 
-/// The coupling at one point.
+/// The data of one point for its coupling with other points.
 struct CoupledPoint
 {
   double stiffness = 0.0; ///< N/mm, at half of the range

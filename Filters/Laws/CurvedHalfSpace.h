@@ -44,7 +44,7 @@ private:
   struct Piece
   {
     std::array<double, 4> radius;
-    std::array<double, 4> share; ///< F/(a t²)
+    std::array<double, 4> share; ///< F/(a t²), the second tabulated function
   };
   /// The contact circle of the tool on the flat body.
   struct Circle
@@ -65,7 +65,7 @@ private:
     double slope;
   };
   static Sagging saggingAt(double t, const Circle& circle, const SpotCurvature& curvature);
-  /// The contact on the curved body at the parameter t.
+  /// The contact on the curved body at the parameter t = √(depth of the tool on the flat body).
   struct Contact
   {
     LocalState local;

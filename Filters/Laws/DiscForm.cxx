@@ -24,7 +24,7 @@ constexpr int CubeTerms = 5;   // index of the first of four terms
 constexpr int FourthTerm = 9;
 constexpr int OffsetTerm = 10;
 
-constexpr double Reach = 1.25; // radius of the disc, in contact radii
+constexpr double Reach = 1.25; // largest distance of the points, in contact radii
 // Radius that contains two rings of neighbours, in mean distances of points.
 constexpr double TwoRings = 2.6;
 constexpr std::size_t Fewest = 12; // least number of points for a fit

@@ -56,7 +56,7 @@ private:
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
   std::vector<double> Terms;         ///< terms of the fitted points
-  std::vector<double> Weighted;      ///< the same terms times the weights of the points
+  std::vector<double> Weighted;      ///< the same terms multiplied by the weights of the points
   std::vector<std::uint32_t> Passed; ///< number of the search in which a point was last visited
   std::uint32_t Search = 0;
 };

@@ -80,7 +80,8 @@ public:
     {
       return;
     }
-    using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
+    // (distance, (point, side)).
+    using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
     // `reached` is the distance of the front, mm. Points at a smaller distance already have their

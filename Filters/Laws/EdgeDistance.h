@@ -49,7 +49,7 @@ public:
   EdgeDistance(const EdgeSurface& surface, double contactRadius, double reach);
 
   const NearEdge& at(std::size_t point) const noexcept { return this->Found[point]; }
-  /// Number of facet sides that belong to an edge.
+  /// Returns the number of facet sides that belong to an edge.
   std::size_t edges() const noexcept { return this->EdgeCount; }
 
 private:

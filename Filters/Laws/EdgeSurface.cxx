@@ -71,7 +71,7 @@ double widthOf(const LinkedSurface& surface)
   }
   const Vector3d mean = sum / area;
   const Eigen::Matrix3d spread = squares / area - mean * mean.transpose();
-  // Squared side of a cube divided by its variance along an axis.
+  // Ratio of the squared side of a cube to the variance of its surface along an axis.
   constexpr double cube = 36.0 / 5.0;
   return std::sqrt(cube *
     std::max(0.0,

@@ -46,7 +46,7 @@ struct PALPATE_EXPORT EdgeSurface : LinkedSurface
   std::vector<SurfaceSide> border;
 
 private:
-  /// Also sets `spacing`.
+  /// Computes the normals of the points, and `spacing`.
   void findNormals();
   void findSteepSides();
 
@@ -66,7 +66,7 @@ std::vector<SurfaceSide> findBorder(const EdgeSurface& surface, double contactRa
 /// The edges of a surface.
 struct SurfaceEdges
 {
-  static constexpr double LeastTurn = 0.35; ///< rad, 20°
+  static constexpr double LeastTurn = 0.35; ///< rad (20°)
 
   std::vector<SurfaceSide> sides;
   double cell; ///< size of the cells over which the normals of facets were averaged, mm

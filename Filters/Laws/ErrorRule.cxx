@@ -26,7 +26,7 @@ constexpr double StackBound = 1.6;
 constexpr double EdgeRemainder = 0.2;
 constexpr double WedgeRemainder = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
-constexpr double AngleTolerance = 0.09; // 5°
+constexpr double AngleTolerance = 0.09; // rad (5°)
 constexpr double BorderReach = 2.0; // distance in contact radii beyond which a border has no effect
 
 /// The reduction of the global compliance of a body with mean curvature κ, compared with a
@@ -157,7 +157,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const double a = state.radius;
   struct Part
   {
-    double share;    // fraction of the depth, not normalised
+    double share;    // fraction of the depth, before normalization
     double pressure; // pressure on the layer divided by its E*
     double ratio;
     double thickness; // mm; 0 if it is infinite
@@ -167,7 +167,7 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const auto modulusOf = [](const StackLayer& layer)
   { return reducedModulus(layer.youngsModulus, layer.poissonRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
-  double above = 0.0; // depth of the layer's top below the surface
+  double above = 0.0; // depth of the layer's top below the surface, mm
   // Below the centre of a uniform pressure on a circle, the stress is the pressure times 1 -
   // (z/√(a²+z²))³. This function is the integral of this factor over z.
   const auto taken = [a](double z)

@@ -148,7 +148,7 @@ void FacePatches::makePatches(double longArea)
   const std::vector<std::int32_t> sorted = this->sortByCell(facets, begin);
   for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell)
   {
-    const std::size_t first = this->Patches.size(); // first patch of the cell
+    const std::size_t first = this->Patches.size(); // index of the first patch of this cell
     for (std::size_t i = begin[cell]; i < begin[cell + 1]; ++i)
     {
       const auto t = static_cast<std::size_t>(sorted[i]);

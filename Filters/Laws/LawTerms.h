@@ -15,7 +15,7 @@ struct LawTerms
   /// Relative error of the force at which validity ends. With 0, validity is determined by
   /// ValidityRule.
   double errorTolerance = 0.05;
-  bool storeError = true; ///< store the error of each sample
+  bool storeError = true; ///< store the relative error of the force at each sample
   bool automatic = false; ///< omit terms that change the force only slightly
   /// Largest change of the force by the omitted terms, relative to the force.
   double changeTolerance = 0.01;

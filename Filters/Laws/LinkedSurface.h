@@ -38,7 +38,7 @@ struct LinkedSurface
       this->spans.points + 3 * static_cast<std::size_t>(point));
   }
 
-  /// Number of points that have a facet.
+  /// Returns the number of points that belong to at least one facet.
   std::size_t usedPoints() const;
 
   TriangleSpans spans;
@@ -48,7 +48,7 @@ struct LinkedSurface
   TriangleLinks links;
 
 private:
-  /// Also sets `areas`.
+  /// Finds the corners and areas of the facets.
   const std::vector<TriangleCorners>& findCorners();
 };
 } // namespace palpate

@@ -39,7 +39,7 @@ public:
 
   void prepareLayers(const LayerTable::Layers& layers);
 
-  /// Whether a correction applies at a spot.
+  /// Returns whether a correction applies at a spot.
   bool corrects(const ContactSpot& spot) const
   {
     return this->Strain != nullptr || !spot.curvature.isFlat();

@@ -98,7 +98,7 @@ public:
   }
 
   double thinnest() const { return this->Thinnest; }
-  /// Whether all layers are too thin for a law.
+  /// Returns whether all layers are too thin for a law.
   bool isTooThin() const
   {
     return this->Bounds.hasLayers() && this->Thinnest > this->Bounds.layers.thickest &&
@@ -260,7 +260,7 @@ private:
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
       constexpr double Thicker = 1.1;
-      constexpr int MostSteps = 300; // enough for a factor of 1e12
+      constexpr int MostSteps = 300; // enough for a thickness ratio of 1e12
       for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
         answered *= Thicker;

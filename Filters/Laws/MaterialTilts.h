@@ -23,7 +23,7 @@ struct MaterialTilts
   /// only one law.
   std::vector<float> weights;
   std::string fault;  ///< the reason why the table is missing; "" if it is not missing
-  double error = 0.0; ///< largest relative error of the force, estimated by tiltError
+  double error = 0.0; ///< largest relative error of the force, estimated by tiltError()
   /// Thickness of the thinnest layer for which a law exists, mm; 0 if the body has no layers.
   /// Points with thinner layers use this law.
   double thinnest = 0.0;

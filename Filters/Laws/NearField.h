@@ -19,7 +19,7 @@ namespace palpate
  */
 struct NearField
 {
-  static constexpr std::size_t Numbers = 12; ///< numbers in the stored array
+  static constexpr std::size_t Numbers = 12; ///< number of values in the stored array
 
   double depth = 0.0;                              ///< R₀, mm/N
   Eigen::Vector3d slope = Eigen::Vector3d::Zero(); ///< g, 1/N

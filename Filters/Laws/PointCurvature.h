@@ -31,7 +31,7 @@ inline constexpr double LargestSagWeight = 1.5;
 // see SurfaceCurvatureTest.cxx. PointFactor is the factor on roughness, residual and difference at
 // one point.
 inline constexpr double PointFactor = 0.7;
-inline constexpr double NoisyPointFactor = 2.5; // factor for one point with noise
+inline constexpr double NoisyPointFactor = 2.5; // factor for one point if the surface is noisy
 
 /// Returns the eigenvalues of a second fundamental form, and the error of their mean.
 inline PointCurvature principal(const Eigen::Vector3d& form, double error)

@@ -59,7 +59,7 @@ private:
   double Square = 0.0; ///< sum of the squared curvatures that follow from the turns
   double Weight = 0.0;
   double Count = 0.0; ///< number of edges
-  // The corresponding sums for a tilt of the tangent plane.
+  // The corresponding sums for a tilt of the tangent plane, which is fitted together with the sags.
   Eigen::Matrix<double, 3, 2> Mixed = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Matrix2d Tilts = Eigen::Matrix2d::Zero();
   Eigen::Vector2d TiltSags = Eigen::Vector2d::Zero();

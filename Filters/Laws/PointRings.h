@@ -100,7 +100,8 @@ private:
 
   std::vector<std::size_t> VisitBegin;
   std::vector<std::size_t> NeighbourBegin;
-  std::vector<std::uint32_t> Visits; ///< positions in the lists of neighbours
+  /// For each visit, the position of the neighbour in the list of neighbours.
+  std::vector<std::uint32_t> Visits;
   std::vector<std::uint32_t> Neighbours;
 };
 } // namespace palpate

@@ -24,7 +24,7 @@ class BodyMaterial;
 /// there is no stable contact, the numbers are NaN and the verdict is ShapeMatters.
 struct SpotRegime
 {
-  double index = 0.0;       ///< λ
+  double index = 0.0;       ///< regime index λ
   double sensitivity = 0.0; ///< dlnF/dln(size) at fixed deflection
   RegimeVerdict verdict = RegimeVerdict::ShapeMatters;
 };

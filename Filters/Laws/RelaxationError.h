@@ -31,7 +31,7 @@ namespace palpate
  */
 PALPATE_EXPORT double relaxationError(int elements, double exponent);
 
-/// The number of elements that a relaxing body needs for a tolerance.
+/// The number of elements that is needed to keep the error for a relaxing body within a tolerance.
 struct RelaxationNeed
 {
   /// Largest Σ p of all points: the excess of a fast force over the slow force, relative to the

@@ -21,7 +21,8 @@ constexpr std::size_t MostBlocks = 20;
 // Number of points of a block per thread. A block takes about 50 ms, so that a caller who stops the
 // computation waits at most this long, and the cost of starting threads is small.
 constexpr std::size_t PointsPerThread = 16384;
-constexpr double FirstContactDepth = 1e-3; // fraction of the first sample's depth
+// Depth of first contact, as a fraction of the first sample's depth.
+constexpr double FirstContactDepth = 1e-3;
 
 /// Returns whether the contact at a spot is that of a flat half-space, except for the factor of the
 /// modulus.

@@ -118,7 +118,7 @@ private:
   const LocalContact* Contact = nullptr;
   const MeasuredBodyError* Measured = nullptr;
   std::unique_ptr<ErrorRule> Errors; ///< null if the error is not estimated
-  std::vector<double> ErrorDepths;   ///< mm: first contact, then the depths of the samples
+  std::vector<double> ErrorDepths;   ///< mm; depth of first contact, then the depths of the samples
   /// The contact at ErrorDepths on a flat half-space; empty if the strain is finite.
   std::vector<LocalState> FlatStates;
   double Tolerance = 0.0;

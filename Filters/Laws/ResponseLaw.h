@@ -49,11 +49,11 @@ public:
   /// NotFinite if a number is outside the normal range of a float (1.2e-38 to 3.4e38).
   ResponseStatus sample(const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// As above, with a given local contact.
+  /// As above, with the given local contact.
   ResponseStatus sample(
     const NodeLaw& local, const ContactSpot& spot, float* force, float* stiffness) const;
 
-  /// As above, with the local contact at each of depths().
+  /// As above, with the given local contact at each of depths().
   ResponseStatus sample(
     const LocalState* states, const ContactSpot& spot, float* force, float* stiffness) const;
 

@@ -82,7 +82,7 @@ private:
     const FacePatch& behind = this->Patches.at(from);
     const Vector3d back = behind.centre - here.centre;
     const double turned = angleBetween(behind.normal, here.normal);
-    std::vector<NextPatch> known; // next patches in that direction with a known normal
+    std::vector<NextPatch> known; // next patches in that direction whose normal is known
     double leastTurn = Infinity;
     bool goesOn = false;
     for (const NextPatch& next : here.next)

@@ -56,7 +56,7 @@ private:
   PointRings Rings;
   std::vector<PointForm> Fits;
   std::vector<SpaceForm> Forms;
-  double Spacing;     ///< pointSpacing(), mm
+  double Spacing;     ///< mean distance of points (pointSpacing()), mm
   double Noise = 0.0; ///< fraction of noise in the points, 0 to 1
 };
 } // namespace palpate

@@ -22,7 +22,7 @@ constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
 // Number of samples of laws that are not stored with the response.
 constexpr int UnstoredSamples = 8;
 
-/// A model of the body that can compute forces.
+/// Computes the forces of one model of the body.
 class ModelledForce
 {
 public:

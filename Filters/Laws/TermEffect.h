@@ -23,7 +23,7 @@ struct PressedBody
   double share = 0.95; ///< fraction of the points for which a result holds, > 0 to 1
 };
 
-/// One model of a body, with more or fewer terms in its law.
+/// One model of a body. Models can differ in the terms of their laws.
 struct LawModel
 {
   const BodyMaterial& material;

@@ -15,7 +15,7 @@ class AxisymmetricTool;
 struct TrustSpans
 {
   float* validity = nullptr;      ///< mm
-  unsigned char* limit = nullptr; ///< ResponseLimit
+  unsigned char* limit = nullptr; ///< codes of ResponseLimit
   float* error = nullptr;         ///< null if it is not stored
 };
 

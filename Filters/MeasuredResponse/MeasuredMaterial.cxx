@@ -24,7 +24,7 @@ namespace
 {
 constexpr auto OutOfReach = static_cast<unsigned char>(ResponseStatus::OutOfReach);
 constexpr auto DataEndLimit = static_cast<unsigned char>(ResponseLimit::DataEnd);
-constexpr double PlaceholderModulus = 1.0; // MPa, for points without a response
+constexpr double PlaceholderModulus = 1.0; // Young's modulus, MPa, for points without a response
 
 vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* name)
 {

@@ -16,7 +16,8 @@ namespace MeasuredMaterial
 constexpr const char* ModulusArray = "IdentifiedModulus";
 constexpr const char* ComplianceArray = "IdentifiedCompliance";
 constexpr const char* ThicknessArray = "IdentifiedThickness";
-constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed from the output at the end
+/// Removed from the output before the filter ends.
+constexpr const char* YoungArray = "palpate:YoungsModulus";
 } // namespace MeasuredMaterial
 
 /// Makes `spread` a copy of the body with the material at its points: E*, C_g and 1/h of the sites

@@ -36,7 +36,8 @@
 
 namespace
 {
-constexpr double IdentifiedShare = 0.5; // fraction of the progress for the identification
+// Fraction of the progress that is reported when all sites are identified.
+constexpr double IdentifiedShare = 0.5;
 } // namespace
 
 vtkStandardNewMacro(vtkMeasuredContactResponse);
@@ -125,7 +126,7 @@ int vtkMeasuredContactResponse::RequestData(
   this->SiteResidual = measurement.place(this->MaximumSiteDistance);
   if (!this->IdentifySites(measurement))
   {
-    return 1; // aborted
+    return 1; // the filter was aborted
   }
   fault = palpate::prefixed("No site can be used: ", this->JudgeSites(measurement));
   if (!fault.empty())

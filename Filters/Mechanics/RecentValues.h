@@ -80,7 +80,7 @@ private:
   std::size_t MostValues;
   std::size_t MostBytes;
   std::mutex Mutex;
-  std::list<Entry> All; ///< in the order of last use, the most recent first
+  std::list<Entry> All; ///< entries in the order of last use, the most recent first
 };
 } // namespace palpate
 

@@ -36,7 +36,8 @@ public:
   double energy(const Vector& u, double depth) const;
   /// Computes the gradient and the tangent of the potential.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Updates the pressures after a step. Must be called with each step of the last linearization.
+  /// Updates the pressures after a step. Must be called with each step that is computed from the
+  /// last linearization.
   void follow(const Vector& step);
   /// Clears the pressures. To be called if `u` was changed other than by a step of Newton's method.
   void restart() { this->Pressures.clear(); }

@@ -61,7 +61,8 @@ public:
       }
       else
       {
-        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // applies also to later steps
+        // The smaller growth also applies to later steps.
+        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0);
       }
     }
     point = this->Body.evaluate(this->Now, depth);
@@ -92,7 +93,8 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or only rounding errors remain
+      // The step is no descent: the tangent is indefinite, or only rounding errors remain.
+      if (!(slope < 0.0))
       {
         return std::abs(slope) <= Converged * energy;
       }

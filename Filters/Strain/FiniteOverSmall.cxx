@@ -9,8 +9,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double SmallStrainTime = 0.3; // fraction of the time for the solution at small strain
-constexpr double OutlineReach = 3.0;    // reach of the outline, in contact radii
+// Fraction of the computing time for the solution at small strain.
+constexpr double SmallStrainTime = 0.3;
+constexpr double OutlineReach = 3.0; // radius up to which the outline is exact, in contact radii
 /// A step of the continuation with a rounder rim: the factor on the fillet radius, and the factor
 /// on the length of the elements.
 struct Round
@@ -22,7 +23,7 @@ constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.
 /// Largest depth, in fillet radii, at which the result with a fillet is used. At larger depths the
 /// surface creases next to the rim, and c is up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-// Fraction of the remaining time that is reserved for rounder rims.
+// Fraction of the remaining computing time that is reserved for rounder rims.
 constexpr double ReservedTime = 0.3;
 
 /// Returns c for one fillet, up to the largest depth with an equilibrium.

@@ -63,7 +63,7 @@ Number squaredLogRatio(const Number& w)
   const double root = std::sqrt(v);
   const double a = std::atanh(root);
   const double slope = 1.0 / (2.0 * root * (1.0 - v));              // derivative of atanh(√w)
-  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // derivative of that slope
+  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // derivative of `slope`
   return compose(w, a * a, 2.0 * a * slope, 2.0 * (slope * slope + a * bend));
 }
 

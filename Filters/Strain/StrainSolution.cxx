@@ -23,7 +23,7 @@ namespace
 {
 constexpr auto CallInterval = std::chrono::milliseconds(100); // interval between calls of goOn
 
-/// One row of a table.
+/// The body that belongs to one row of a table.
 struct StrainRow
 {
   LayerStack stack; ///< it has no layers for a half-space

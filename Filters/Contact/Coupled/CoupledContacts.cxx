@@ -308,8 +308,8 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
         this->Body.coupling->gradient(own.spot, own.pressed.place().triangle, other.spot);
     }
   }
-  // The area coordinates have a constant sum, so that an additive constant of the derivatives has
-  // no effect.
+  // The sum of the area coordinates is constant. Therefore an additive constant of the derivatives
+  // has no effect.
   const Eigen::Matrix3d& gradients = own.pressed.place().weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +

@@ -145,7 +145,7 @@ private:
     double before = 0.0; ///< force in the preceding tick, N
     double stiffness = 0.0;
     BodyCoupling::Spot spot;
-    double whole = 0.0;     ///< force of the curve, N, even if it does not act on the tool
+    double whole = 0.0;     ///< force of the curve, N, even if this force does not act on the tool
     bool isMissing = false; ///< whether the contact has no pose in this tick
     /// Whether the tool had no force in the last tick although its curve had a force. Reasons: the
     /// contact ended at an edge, or the relaxing body was still dented below the tool.
@@ -191,7 +191,8 @@ private:
   std::vector<Contact> Felt;
   std::vector<double> Compliance; ///< C_ij, row by row
   std::vector<double> Work;
-  double Stiffening = 0.0; ///< stiffening() of the last update; 0: not computed yet
+  /// Result of stiffening() for the last update; 0 if it is not computed yet.
+  double Stiffening = 0.0;
 };
 } // namespace palpate
 

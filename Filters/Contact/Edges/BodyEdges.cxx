@@ -172,7 +172,7 @@ private:
       const Vector3 toEdge = place.point - this->Tip;
       if (!(segment.normal.dot(toEdge) > 0.0))
       {
-        continue; // the face is on the far side of a groove
+        continue; // the other face is on the far side of a groove
       }
       Face face;
       face.triangle = segment.across;
@@ -303,7 +303,7 @@ void BodyEdges::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& press
     place.normal = mesh.faceNormal(place.triangle);
   }
   const double height =
-    place.normal.dot(place.projection.point - tip); // height of the plane above the tip
+    place.normal.dot(place.projection.point - tip); // height of the plane of the face above the tip
   const Vector3 deepest = tip + pressed.sunk * place.normal;
   pressed.reach =
     this->at(mesh.toLocal(deepest), place.triangle, place.normal, height - pressed.sunk);

@@ -45,7 +45,7 @@ public:
   static constexpr double LeastTurn = 0.349; // 20°
   static constexpr double Reach = 32.0;
 
-  /// `mesh` is cut along its creases; `range` is the longest range of the curves, mm.
+  /// `mesh` must be cut along its creases. `range` is the longest range of the curves, mm.
   BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double range);
 
   /// Returns whether any edge affects a contact on a triangle.

@@ -35,7 +35,7 @@ CreaseCut::CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t 
   std::vector<std::int32_t> ends;
   for (const PackedMesh::CreaseSide& side : this->Sides)
   {
-    // The end of this side is the start of the other side.
+    // The end of this side is the start of the side in the other triangle.
     ends.push_back(this->Triangles[static_cast<std::size_t>(side.triangle)]
                                   [static_cast<std::size_t>(side.edge)]);
   }

@@ -49,8 +49,8 @@ private:
   const TriangleLinks& Links;
   std::vector<PackedMesh::CreaseSide> Sides;
   std::vector<PackedMesh::CreaseSide> Concave; ///< both sides of each concave crease
-  std::vector<std::uint8_t> IsCut;             ///< 3 per triangle
-  std::vector<int> Parts;                      ///< 3 per triangle
+  std::vector<std::uint8_t> IsCut;             ///< 3 values per triangle
+  std::vector<int> Parts;                      ///< 3 values per triangle
 };
 } // namespace palpate
 

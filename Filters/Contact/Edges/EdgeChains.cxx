@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double CornerCosine = 0.8660254037844386; // 30°
+constexpr double CornerCosine = 0.8660254037844386; // cosine of 30°
 constexpr std::size_t MostSteps = 32; // largest number of steps of a search along a chain
 constexpr int MostAround = 64;        // largest number of triangles around a point
 

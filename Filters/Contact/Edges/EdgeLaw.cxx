@@ -21,7 +21,7 @@ struct TableRow
 {
   double exponent;
   double u;
-  std::array<std::array<double, 2>, Ratios> psi; ///< value and slope
+  std::array<std::array<double, 2>, Ratios> psi; ///< value and slope of Ψ
 };
 
 constexpr TableRow Table[] = {

@@ -13,7 +13,7 @@ struct FileMesh
 {
   std::vector<float> points;  ///< x, y, z of each point; all values are finite
   std::vector<float> normals; ///< x, y, z for each point; empty if the file has no usable normals
-  std::vector<std::int64_t> corners; ///< indices of points, polygon after polygon
+  std::vector<std::int64_t> corners; ///< point indices of the corners, polygon after polygon
   /// Index in `corners` of the start of each polygon, and of the end of the last one.
   std::vector<std::int64_t> starts;
   /// The omitted contents of the file, each as a part of a sentence.

@@ -115,7 +115,7 @@ private:
     this->Mesh.starts.push_back(static_cast<std::int64_t>(this->Mesh.corners.size()));
   }
 
-  /// Reads a corner: v, v/t, v//n or v/t/n.
+  /// Reads a corner in the form v, v/t, v//n or v/t/n.
   bool readCorner(std::string_view text)
   {
     const std::string_view whole = text;
@@ -227,9 +227,9 @@ private:
   FileMesh Mesh;
   std::vector<float> Normals;               ///< normals in the order of the file
   std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1 if it has none
-  std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
+  std::array<std::int64_t, Parts> Counts{}; ///< number of lines of each kind so far
   std::array<std::int64_t, Parts> Largest{};
-  std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest index
+  std::array<std::size_t, Parts> LargestAt{}; ///< line in which the largest index occurs
   std::size_t LeftOut = 0;
 };
 } // namespace

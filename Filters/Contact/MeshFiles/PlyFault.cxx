@@ -12,8 +12,10 @@
 
 namespace
 {
-constexpr std::uint64_t LongestFace = 255; // corners; size of a buffer in vtkPLYReader
-constexpr std::size_t LongestLine = 4000;  // characters; size of a buffer in vtkPLY
+// Largest number of corners of a face; size of a buffer in vtkPLYReader.
+constexpr std::uint64_t LongestFace = 255;
+// Largest number of characters; size of a buffer in vtkPLY.
+constexpr std::size_t LongestLine = 4000;
 
 struct Property
 {

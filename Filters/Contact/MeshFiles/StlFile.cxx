@@ -82,7 +82,7 @@ private:
       {
         this->expect(isSolid != this->IsOpen && this->Corners == NoFacet, word);
         this->IsOpen = isSolid;
-        return; // the rest of the line is a name
+        return; // the rest of the line is the name of the solid
       }
       this->readWord(word);
     }

@@ -173,7 +173,7 @@ bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Reduci
     return false;
   }
   const Eigen::MatrixXf basis = laws.cast<float>();
-  choice.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
+  choice.basis.assign(basis.data(), basis.data() + basis.size()); // one law after the other
   choice.coefficient = std::move(rows);
   choice.laws = static_cast<int>(count);
   choice.keptShare = static_cast<double>(kept.count) / static_cast<double>(curves.count());
@@ -211,7 +211,7 @@ bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Redu
   const Eigen::MatrixXd laws = asStored(leadingLaws(sample, std::max(most, 1)));
   if (!laws.allFinite())
   {
-    return false; // forces are zero or not finite
+    return false; // the forces are zero or not finite
   }
   const Eigen::MatrixXd one = middleLaw(sample, laws.leftCols(1), settings.share);
   const Eigen::VectorXd law = one.col(0);

@@ -48,7 +48,7 @@ Sum ReducibleCurves::sum(const Sum& zero, const Add& add, std::size_t step) cons
   forRanges(blocks * BlockSize,
     [&](std::size_t first, std::size_t last)
     {
-      // A block belongs to the range in which it begins.
+      // A block is processed in the range that contains its first item.
       for (std::size_t b = (first + BlockSize - 1) / BlockSize; b * BlockSize < last; ++b)
       {
         for (std::size_t i = b * BlockSize; i < std::min(items, (b + 1) * BlockSize); ++i)

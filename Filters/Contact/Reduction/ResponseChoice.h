@@ -25,7 +25,7 @@ enum class ResponseNeed
 /// depth of the tool.
 struct ChoiceSettings
 {
-  double tolerance = 0.01; ///< see chooseResponse; > 0
+  double tolerance = 0.01; ///< permitted relative error, > 0; see chooseResponse()
   double share = 1.0;      ///< fraction of the points that must be within the tolerance, 0 to 1
   double depth = 0.0;      ///< depth of the tool, mm; with 0, half of each point's range
   int mostLaws = 8;        ///< 1 to 16

@@ -81,7 +81,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
   result.laws = static_cast<int>(count);
   result.samples = arrays.samples;
   const Eigen::MatrixXf basis = laws.cast<float>();
-  result.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
+  result.basis.assign(basis.data(), basis.data() + basis.size()); // one law after the other
   result.coefficient.assign(count * arrays.points, 0.0F);
   forRanges(curves.count(),
     [&](std::size_t first, std::size_t last)

@@ -23,7 +23,7 @@ enum class ReducedForm
 /// The permitted change of the forces, and the largest number of laws.
 struct ReductionSettings
 {
-  double tolerance = 0.01; ///< see reduceResponse
+  double tolerance = 0.01; ///< permitted relative error; see reduceResponse()
   int mostLaws = 8;        ///< largest number of laws of a basis, 1 to 16
 };
 
@@ -64,7 +64,7 @@ struct ReducedResponse
  * laws suffices, the smallest sufficient number of samples per point is chosen. If this number is
  * not smaller than before, the response is not changed.
  *
- * Laws do not depend on the range; curves of different ranges need more laws.
+ * The laws do not depend on the range, so that curves with different ranges need more laws.
  *
  * The tolerance must be positive. Below about 1e-6 the rounding of floats dominates. The arrays may
  * be in either form. Points without response (by status) are ignored. The result is bit for bit the

@@ -31,7 +31,7 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
 bool isConvex(const ResponseField& curves, std::int32_t point)
 {
   constexpr int chords = 16;
-  constexpr double noise = 0.01; // fraction of the steepest chord
+  constexpr double noise = 0.01; // largest noise, as a fraction of the slope of the steepest chord
   const double range = curves.range(point);
   double depth = 0.0;
   double force = 0.0;

@@ -21,7 +21,7 @@ namespace palpate
  * only the remaining part of the curve relaxes: δ = δ_local + C F. The curves of this local part
  * are stored in addition to those of the response (80 bytes more per point).
  *
- * Immutable, safe from any number of threads.
+ * Immutable; can be used from any number of threads.
  */
 class PALPATE_EXPORT BodyRelaxation
 {

@@ -80,7 +80,7 @@ private:
   static constexpr double Shortest = 1e-12; ///< mm
 
   FrictionFrame Frame;
-  Vector2 Displacement = Vector2::Zero(); ///< elastic part, mm
+  Vector2 Displacement = Vector2::Zero(); ///< elastic part of the displacement, mm
   double Stiffness = 0.0;
 };
 
@@ -216,7 +216,7 @@ private:
   double StepTime = -1.0; ///< time step for which Step was computed, s
   RelaxationStep Step;
   RelaxationElements Elements;
-  QuasiLinearElement Rest; ///< the element of f - f_N
+  QuasiLinearElement Rest; ///< element for the remainder f - f_N
   QuasiLinearElement One;
   double OneDepth = 0.0; ///< depth of the last press with the single element
   double OneSlow = 0.0;  ///< slow force at OneDepth

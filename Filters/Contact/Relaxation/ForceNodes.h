@@ -25,7 +25,7 @@ public:
 
   /// Creates an object without nodes.
   ForceNodes() = default;
-  /// `elements` is at least 1; `range` in mm.
+  /// `elements` must be at least 1. `range` is in mm.
   ForceNodes(const ResponseSampling& sampling, double range, int elements) noexcept;
 
   /// Number of nodes, N + 1.

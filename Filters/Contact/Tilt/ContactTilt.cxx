@@ -156,7 +156,8 @@ void ContactTilt::addMoment(double byTilt, const TriangleCorners& corners,
   {
     return;
   }
-  const double moment = result.normalForce * this->Deepest.offset + byTilt; // M
+  // Moment M about the tip, N mm.
+  const double moment = result.normalForce * this->Deepest.offset + byTilt;
   result.torque = moment / sine * this->Axis.cross(this->Normal);
   if (!weightGradients)
   {

@@ -38,7 +38,8 @@ public:
   /// following functions have no effect.
   bool isTilted() const noexcept
   {
-    constexpr double upright = 1e-7; // rad; M and the change of F are of this order, relative to F
+    // Rad; at this angle M and the change of F, relative to F, are of the same order.
+    constexpr double upright = 1e-7;
     return this->IsFelt && this->Angle > upright;
   }
 
@@ -125,7 +126,7 @@ private:
   bool IsFelt = false;
   Vector3 Axis = Vector3::Zero();
   Vector3 Down = Vector3::Zero();   ///< unit vector from the tip to the followed point
-  double Under = 0.0;               ///< distance of the followed point from the tip, mm
+  double Under = 0.0;               ///< distance between the tip and the followed point, mm
   Vector3 Normal = Vector3::Zero(); ///< smooth normal at the last contact
   /// Length of the interpolated normal before it was normalized to Normal.
   double NormalLength = 1.0;

@@ -15,7 +15,7 @@ namespace palpate
 struct TiltViews
 {
   TiltTerms terms;
-  const double* drops = nullptr; ///< see TiltTable
+  const double* drops = nullptr; ///< drops of the tool; see TiltTable
   const double* nodes = nullptr;
   /// Weights of the table's laws at each point; the sum of the weights is 1. Null if there is only
   /// one law.

@@ -51,7 +51,7 @@ public:
   bool isLayered() const noexcept { return !this->Knots.empty(); }
   const std::vector<CouplingKnot>& knots() const noexcept { return this->Knots; }
 
-  /// g and its derivative with respect to x = r/h >= 0.
+  /// g and its derivative with respect to x = r/h, x >= 0.
   struct Share
   {
     double value;

@@ -33,7 +33,7 @@ public:
 
   /// Opens the file. Returns an error message, or "" on success.
   std::string open();
-  /// Adds bytes. Does nothing after a failure, which finish() reports.
+  /// Appends bytes. After a failure, which finish() reports, this function does nothing.
   void write(const void* bytes, std::size_t size) noexcept;
   void write(std::string_view text) noexcept { this->write(text.data(), text.size()); }
   /// Writes all data to the disk, then renames the file. Returns an error message, or "" on

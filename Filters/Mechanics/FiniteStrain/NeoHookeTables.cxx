@@ -21,9 +21,9 @@ using HalfSpaceTable = double[Ratios][Roots];
 // The tables are written by Testing/Studies/finite_strain/tables.cxx.
 #include "Mechanics/FiniteStrain/NeoHookeTables.inc"
 
-constexpr double SphereDeepest = 1.0; // largest depth, in radii
-constexpr double FlatDeepest = 1.3;   // largest depth, in radii
-constexpr double LayerDeepest = 0.5;  // largest depth, in thicknesses
+constexpr double SphereDeepest = 1.0; // largest depth, in sphere radii
+constexpr double FlatDeepest = 1.3;   // largest depth, in radii of the flat end
+constexpr double LayerDeepest = 0.5;  // largest depth, in layer thicknesses
 // Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
 // (StrainTable.h) and its error increases.
 constexpr double LayerLimit = 0.7;

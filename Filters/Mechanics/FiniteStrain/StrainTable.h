@@ -77,7 +77,7 @@ public:
     friend class StrainTable;
     const StrainTable* Table = nullptr;
     double Deepest = 1.0; ///< depth at which the table ends for this body, mm
-    double Known = 1.0;   ///< last known root
+    double Known = 1.0;   ///< last root with a known factor
     std::array<double, MostRoots + 1> Factors{}; ///< c at depth 0 and at the roots
   };
 
@@ -95,7 +95,7 @@ public:
 private:
   Axes Given;
   std::vector<double> Factors;
-  std::vector<double> Known; ///< last known root of each row
+  std::vector<double> Known; ///< last root of each row with a known factor
   StrainReach Reach;
   bool ThickestEnds = false; ///< whether at least one row of the thickest layer ends early
   bool Constant;

@@ -50,7 +50,7 @@ private:
   struct Arc
   {
     Eigen::Vector2d from;
-    Eigen::Vector2d direction; ///< unit
+    Eigen::Vector2d direction; ///< unit vector
     double curvature;          ///< 1/mm; 0 if the arc is straight
     double length;
   };

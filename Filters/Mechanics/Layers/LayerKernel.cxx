@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at this ω
+constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at the largest ω
 constexpr int OmegaPanels = 20;
 // Smallest ω for a stack, in which deep layers have an effect at small ω.
 constexpr double LeastOmega = 1.0 / 4096;

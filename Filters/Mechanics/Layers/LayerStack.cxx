@@ -62,7 +62,7 @@ Matrix4 stiffness(const StackLayer& layer, Real k)
   Matrix4 displacement;
   displacement << near.displacement, mirror * far.displacement, far.displacement,
     mirror * near.displacement;
-  Matrix4 traction; // τ and σ on cuts with the normal pointing down
+  Matrix4 traction; // τ and σ on cuts whose normal points down
   traction << -near.traction, mirror * far.traction, far.traction, -(mirror * near.traction);
   return shearModulus(layer) * traction * displacement.inverse();
 }

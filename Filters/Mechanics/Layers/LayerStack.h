@@ -16,7 +16,8 @@ struct StackLayer
   double thickness = 1.0;     ///< mm
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
-  bool slips = false; ///< frictionless on the layer above; ignored for the top layer
+  /// Whether the layer slips on the layer above without friction; ignored for the top layer.
+  bool slips = false;
 
   bool operator==(const StackLayer& other) const
   {

@@ -18,7 +18,7 @@ namespace
 // r/h), that of an incompressible layer.
 constexpr double ReachInLayers = 20.0;
 
-/// y dt at one node of a rule over the contact.
+/// The position t and the value of y dt at one node of a rule over the contact.
 struct Source
 {
   double t;

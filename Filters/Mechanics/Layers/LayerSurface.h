@@ -47,7 +47,7 @@ private:
   const LayerContact& Contact;
   double Deflection;
   double Radius = 0.0;             ///< contact radius a; 0 if there is no contact
-  double Reach = 0.0;              ///< beyond this radius all displacements have decayed
+  double Reach = 0.0;              ///< radius beyond which all displacements have decayed, mm
   double Integral = 0.0;           ///< ∫_0^a y dt = F/2E*
   LayerKernel::Samples Correction; ///< (δ - g) - y on the nodes of the kernel
   PiecewiseChebyshev Normal;       ///< w(x)

@@ -108,7 +108,7 @@ private:
 
   double Thinnest = 0.0;
   double Scale = 1.0;
-  double Begin = 0.0; ///< lower end of the interval of x
+  double Begin = 0.0; ///< lower end of the interval of x = c/(c + h)
   double End = 0.0;
   std::vector<double> Ratios;
   double FirstRatio;

@@ -12,7 +12,7 @@ struct TiltedLayer
   /// Contact radius of the upright tool at the same depth in a half-space, divided by the thickness
   /// of the layer; 0 on a half-space.
   double radius = 0.0;
-  double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
+  double stretch = 1.0; ///< ratio F(D, θ)/F(D, 0) on that layer
   /// κ h/D for a tool with a flat end, with the drop h (TiltTerms::dropScale); else 0.
   double rim = 0.0;
 };

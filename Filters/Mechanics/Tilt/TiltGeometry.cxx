@@ -20,7 +20,8 @@ constexpr double Degree = Pi / 180.0;
 // Margin between the largest tilt and the tilt at which the flank touches the body along its
 // length.
 constexpr double Margin = 4.0 * Degree;
-constexpr double LargestTilt = 80.0 * Degree; // at larger tilts the body's surface is not a plane
+// At larger tilts the body's surface cannot be treated as a plane.
+constexpr double LargestTilt = 80.0 * Degree;
 // Distance from the tip at which a flank has its final slope.
 constexpr double FarRadius = 1e6;
 
@@ -179,7 +180,7 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
       " degrees only and lies on the body when the tool is tilted; there is no law for a tilt of ",
       angle / Degree, " degrees");
   }
-  constexpr double Rounding = 1e-9; // rounding of angles converted from degrees
+  constexpr double Rounding = 1e-9; // tolerance for angles converted from degrees
   return angle <= largest + Rounding
     ? ""
     : joined("a tilt of ", angle / Degree, " degrees is too much for this tool: ",

@@ -37,7 +37,7 @@ PALPATE_EXPORT double dropScaleOf(const AxisymmetricTool& tool);
 class PALPATE_EXPORT ToolDrop
 {
 public:
-  static constexpr int Angles = 65; ///< error of h for a sphere: 1e-8 of its radius
+  static constexpr int Angles = 65; ///< the error of h for a sphere is then 1e-8 of its radius
 
   ToolDrop(const AxisymmetricTool& tool, double largest);
 

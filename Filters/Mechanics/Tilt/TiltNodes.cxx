@@ -127,7 +127,7 @@ private:
     const double depth = this->depthAt(node);
     const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
-    std::array<Ratio, 3> rim{}; // ρ
+    std::array<Ratio, 3> rim{}; // ρ at the three positions
     // Work on the half-space divided by the work of the equivalent profile.
     std::array<Ratio, 3> missed{};
     // The differences use y and one position on each side. At the largest tilt they use y and two

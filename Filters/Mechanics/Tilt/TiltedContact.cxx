@@ -16,7 +16,8 @@ namespace
 {
 constexpr int CoarsePixels = 32; // number of pixels along each side for the search of the contact
 constexpr int MostIterations = 400;
-constexpr double Tolerance = 1e-5; // largest gap under the pressure, relative to the depth
+// Largest gap between tool and surface at loaded pixels, relative to the depth.
+constexpr double Tolerance = 1e-5;
 
 /// A grid of pixels on a box.
 struct Grid

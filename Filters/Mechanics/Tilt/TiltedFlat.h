@@ -22,7 +22,8 @@ struct TiltedFlatTerm
  * fitted to boundary elements with f, f' and f'' continuous at q = 3
  * (Data/Reference/tilt/flat_tilt_universal.csv). Error: 1e-3 for q >= 0.1, 3e-3 at 0.01.
  */
-PALPATE_EXPORT TiltedFlatTerm tiltedFlatForce(double q) noexcept; ///< f for q > 0
+/// Returns f and its derivatives for q > 0.
+PALPATE_EXPORT TiltedFlatTerm tiltedFlatForce(double q) noexcept;
 
 /// Returns ρ as a function of s = 3/q >= 0, which is three times the drop of the rim divided by the
 /// depth.

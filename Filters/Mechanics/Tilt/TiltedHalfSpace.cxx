@@ -151,7 +151,7 @@ void TiltedHalfSpace::solveRows(double depth)
     std::optional<double> slope;
     if (!(this->DropScale > 0.0))
     {
-      slope = 0.0; // τ is even in θ
+      slope = 0.0; // the slope at θ = 0 is 0, because τ is even in θ
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
@@ -183,9 +183,9 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) const
 {
   constexpr double Least = 1e-4;
-  constexpr double Whole = 3.0; // q of full contact of the end
+  constexpr double Whole = 3.0; // smallest q at which the end is in full contact
   constexpr int Lower = 60;     // number of points from the smallest q to 1
-  // Number of points from q = 1 to full contact, with decreasing distances.
+  // Number of points from q = 1 to full contact, with decreasing distances between them.
   constexpr int Upper = 40;
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
