@@ -248,8 +248,7 @@ private:
     this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
   }
 
-  /// Finds the walls that two solids share, and leaves out copies of parts. Returns the triangles
-  /// of the walls.
+  /// Leaves out copies of parts. Returns the triangles of the walls that two solids share.
   std::vector<std::int32_t> findWalls()
   {
     if (this->All.size() < 2)

@@ -47,7 +47,7 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
     }
     return std::pair(places, isEven);
   };
-  std::vector<std::pair<std::size_t, std::int32_t>> order; // hash and triangle, sorted by hash
+  std::vector<std::pair<std::size_t, std::int32_t>> order; // (hash, triangle), sorted by hash
   order.reserve(candidates.size());
   for (const std::int32_t t : candidates)
   {

@@ -80,7 +80,7 @@ public:
     {
       return;
     }
-    // (distance, (point, side)).
+    // The pair (distance, (point, side)).
     using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
