@@ -20,10 +20,11 @@ namespace palpate
  * Beyond a border there is no surface and no depth. A force that vanishes between two ticks would
  * be noticed as a knock, so the force fades with the distance of the tip from the border. Let h be
  * the depth of the tip below the surface at the border, and l its distance beyond the border,
- * measured within the surface. The force is then the fraction (1 - l/h)² (1 + 2 l/h) of the force
- * at depth h. The fraction is 1 directly under the border and 0 for l >= h, and its slope is
- * continuous at both ends. The force acts along the normal of the surface. No force pulls the tip
- * back to the border.
+ * measured within the surface. The force is then the fraction
+ *   (1 - l/h)² (1 + 2 l/h)
+ * of the force at depth h. The fraction is 1 directly under the border and 0 for l >= h, and its
+ * slope is continuous at both ends. The force acts along the normal of the surface. No force pulls
+ * the tip back to the border.
  *
  * The fade depends only on the position of the tip, not on its path. It is continuous if the
  * surface at the border is flat or bends only along the border. Otherwise the force jumps where two

@@ -9,9 +9,11 @@ namespace palpate
 {
 /**
  * Force curve of a contact with limited stiffness, for devices that cannot render a higher
- * stiffness: F_c(δ) = ∫₀^δ min(dF/dδ, K_max) dδ'. F_c is a function of the deflection alone and has
- * no state, so that a closed cycle of the deflection neither gains nor loses energy. When the
- * contact moves over the surface, F_c changes with F.
+ * stiffness:
+ *   F_c(δ) = ∫₀^δ min(dF/dδ, K_max) dδ'.
+ * F_c is a function of the deflection alone and has no state, so that a closed cycle of the
+ * deflection neither gains nor loses energy. When the contact moves over the surface, F_c changes
+ * with F.
  *
  * F_c is lower than F because of the intervals [a, b] in which the stiffness exceeds K_max: each
  * interval reduces the force by F(b) - F(a) - K_max (b - a). The ends of the intervals are searched

@@ -11,13 +11,15 @@ namespace palpate
 /**
  * The force as the negative gradient of an energy. Let the contact point have the area coordinates
  * n_i and the tip the depth δ. At depth δ the curves of the corners have the forces f_i(δ) and the
- * work e_i(δ) = ∫₀^δ f_i. Then E = Σ n_i e_i,   F = -∇E = Σ n_i f_i n - Σ e_i ∇n_i, because ∇δ =
- * -n, where n is the unit vector from the tip to the contact point (the surface's outward normal).
- * A force along the normal alone lacks the second sum. With different responses, pressing at one
- * point and unloading at another would then gain the difference of the works e. As Σ ∇n_i = 0, the
- * second sum vanishes for equal responses. Only with both sums in exactly this form does no closed
- * path of a tip within one contact gain or lose energy. The direction of F is not continuous: the
- * ∇n_i jump across edges, and the second sum jumps with them by the second differences of e.
+ * work e_i(δ) = ∫₀^δ f_i. Then
+ *   E = Σ n_i e_i,   F = -∇E = Σ n_i f_i n - Σ e_i ∇n_i,
+ * because ∇δ = -n, where n is the unit vector from the tip to the contact point (the surface's
+ * outward normal). A force along the normal alone lacks the second sum. With different responses,
+ * pressing at one point and unloading at another would then gain the difference of the works e. As
+ * Σ ∇n_i = 0, the second sum vanishes for equal responses. Only with both sums in exactly this form
+ * does no closed path of a tip within one contact gain or lose energy. The direction of F is not
+ * continuous: the ∇n_i jump across edges, and the second sum jumps with them by the second
+ * differences of e.
  */
 struct EnergyGradient
 {

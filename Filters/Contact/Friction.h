@@ -21,9 +21,10 @@ namespace palpate
  * z_max [ln((1-z₁)/(1-z₂)) - ln((1+z₂)/(1+z₁))] per cycle.
  *
  * Along a straight step of length y and direction d the equation is linear and has the exact
- * solution z e^(-y/z_max) + z_max (1 - e^(-y/z_max)) d. Therefore the result does not depend on the
- * number of ticks on a path. The explicit step of Hayward and Armstrong 2000 would slide at z_max -
- * |dx|, so that its force depends on the speed.
+ * solution
+ *   z e^(-y/z_max) + z_max (1 - e^(-y/z_max)) d.
+ * Therefore the result does not depend on the number of ticks on a path. The explicit step of
+ * Hayward and Armstrong 2000 would slide at z_max - |dx|, so that its force depends on the speed.
  *
  * The force approaches the limit but never reaches it. A contact counts as sliding from 99 % of the
  * limit. On a circle of radius ρ the force lags by atan(z_max/ρ), and its magnitude is the limit
@@ -68,12 +69,14 @@ private:
  *
  * The displacement x of the contact point over the surface is the sum of an elastic part z and a
  * plastic part w. The force is -σ₀ z. If dx has a positive component along z, a part of the
- * displacement is plastic: dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀. If dx is
- * directed against z, the displacement is elastic, so that a contact unloads elastically (Dupont,
- * Hayward, Armstrong and Altpeter 2002). Let r = |z|/z_max, and let b = breakaway and s = stick
- * radius be given in units of z_max. Then α z_max = w/(w + s⁸ - b⁸),   w = max(r⁸ - b⁸, 0). b = 0
- * gives α = z⁸/(z_st⁸ + z⁸)/z_max, as in Hayward and Armstrong; b = s = 1 gives their stick-slip
- * model.
+ * displacement is plastic:
+ *   dw = α(|z|) z (dx·z/|z|),   and |z| <= z_max = limit/σ₀.
+ * If dx is directed against z, the displacement is elastic, so that a contact unloads elastically
+ * (Dupont, Hayward, Armstrong and Altpeter 2002). Let r = |z|/z_max, and let b = breakaway and s =
+ * stick radius be given in units of z_max. Then
+ *   α z_max = w/(w + s⁸ - b⁸),   w = max(r⁸ - b⁸, 0).
+ * b = 0 gives α = z⁸/(z_st⁸ + z⁸)/z_max, as in Hayward and Armstrong; b = s = 1 gives their
+ * stick-slip model.
  *
  * Reason for b > 0: even a small α causes drift. Under 0.1 kg and a load of 0.5 ± 0.2 of the limit
  * at 2 Hz, the z⁸ law creeps by 6 µm per cycle at s = 0.9 and by 0.2 mm at s = 0.5 (z_max = 1 mm),
@@ -127,14 +130,15 @@ private:
  * Friction computed from the stored response f(δ). Its only parameters are μ and ν.
  *
  * The normal and the tangential contact problem are similar (Jaeger 1998; Ciavarella 1998; for
- * spheres Mindlin 1949). A displacement u at constant depth therefore causes the force Q(u) = μ
- * [f(δ) - f(δ - u/(μc))],   c = (2-ν)/(2(1-ν)), and the contact slides for u >= μcδ. In the method
- * of dimensionality reduction (Popov and Hess 2015) the contact is a row of springs. Springs of
- * stiffness f''(η) dη touch when the depth passes the level η. For a flat end, springs of stiffness
- * f'(0) touch at level 0. A spring of normal stiffness k has the tangential stiffness k/c and its
- * own displacement u. It slides at |u| = μc(δ - η), where its force is μ times its load. The
- * displacements u, which are vectors in the tangent plane, store the history: loading under a
- * varying depth, reversals by Masing's rule, and curved paths.
+ * spheres Mindlin 1949). A displacement u at constant depth therefore causes the force
+ *   Q(u) = μ [f(δ) - f(δ - u/(μc))],   c = (2-ν)/(2(1-ν)),
+ * and the contact slides for u >= μcδ. In the method of dimensionality reduction (Popov and Hess
+ * 2015) the contact is a row of springs. Springs of stiffness f''(η) dη touch when the depth passes
+ * the level η. For a flat end, springs of stiffness f'(0) touch at level 0. A spring of normal
+ * stiffness k has the tangential stiffness k/c and its own displacement u. It slides when |u| =
+ * μc(δ - η), where its force is μ times its load. The displacements u, which are vectors in the
+ * tangent plane, store the history: loading under a varying depth, reversals by Masing's rule, and
+ * curved paths.
  *
  * The depths range·(j/Cells)² divide the depth into cells; the last cell ends at δ. Each cell has
  * `PerCell` springs. The stiffness and load of the springs of a cell follow from the force and
@@ -142,13 +146,13 @@ private:
  * f(δ) at any depth, and slide at exactly μ f_n. Cells are fixed in depth (on a body with one
  * range), so that springs keep their history as δ changes:
  * - δ grows: the last cell gets wider and stiffer, then further cells are added, initially without
- * displacement;
+ *   displacement;
  * - δ decreases: the limits and therefore the displacements decrease; springs whose cell is above δ
- * have lost their force and are removed;
+ *   have lost their force and are removed;
  * - beyond the range: no further springs are added, because the response continues along its last
- * tangent; the limits grow;
+ *   tangent; the limits grow;
  * - below range/256, where the force is less than a thousandth of its largest value: there is only
- * one cell.
+ *   one cell.
  *
  * Energy: a spring that gets stiffer keeps its force, not its displacement. A spring that gets
  * softer keeps its displacement. In both cases energy is lost, so that no change of depth, force or
@@ -161,13 +165,14 @@ private:
  * if f_n is not the force of the curve (ForceForm::Paper).
  *
  * Largest error of Q, divided by μ f_n, for paraboloid / cone (for a flat end there is only
- * rounding error): springs      16             32             64            16 cells of 4 at range
- * 1.4e-3/3.6e-3  3.4e-4/9.0e-4  8.5e-5/2.2e-4  9.3e-5/2.2e-4 at
- * range/4   5.5e-3/1.4e-2  1.4e-3/3.6e-3  3.4e-4/9.0e-4  4.5e-4/8.5e-4 The error is inversely
- * proportional to the square of the number of springs, however they are distributed over cells. A
- * cell costs an evaluation of the response, a spring only a few operations. Therefore 16 cells of 4
- * springs are used: their error is below 1e-3, similar to the error of 8 samples of the response,
- * with a quarter of the evaluations of 64 cells.
+ * rounding error):
+ *   springs      16             32             64            16 cells of 4
+ *   at range     1.4e-3/3.6e-3  3.4e-4/9.0e-4  8.5e-5/2.2e-4  9.3e-5/2.2e-4
+ *   at range/4   5.5e-3/1.4e-2  1.4e-3/3.6e-3  3.4e-4/9.0e-4  4.5e-4/8.5e-4
+ * The error is inversely proportional to the square of the number of springs, however they are
+ * distributed over cells. A cell costs an evaluation of the response, a spring only a few
+ * operations. Therefore 16 cells of 4 springs are used: their error is below 1e-3, similar to the
+ * error of 8 samples of the response, with a quarter of the evaluations of 64 cells.
  *
  * Cost, in addition to one evaluation of the response per cell within the depth: 5 to 25 ns per
  * spring. A spring that sticks or slides along a straight path is cheap; sliding on a curve needs

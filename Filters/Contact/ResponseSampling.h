@@ -219,9 +219,10 @@ private:
  *
  * The integral over a whole interval between samples is linear in the forces and stiffnesses. Its
  * weights depend only on n and m and are computed once. The last, partial interval is integrated by
- * parts. With the cubic ρ of the interval and p = 2m + 1, ∫ s^p ρ ds = s^(p+1) (ρ/(p+1) - s
- * ρ'/((p+1)(p+2)) + s² ρ''/(…(p+3)) - s³ ρ'''/(…(p+4))). Below δ_1 the power law gives F_1
- * δ_1/(q+1) (δ/δ_1)^(q+1), which requires q > -1. Beyond δ_max the last tangent is integrated.
+ * parts. With the cubic ρ of the interval and p = 2m + 1,
+ *   ∫ s^p ρ ds = s^(p+1) (ρ/(p+1) - s ρ'/((p+1)(p+2)) + s² ρ''/(…(p+3)) - s³ ρ'''/(…(p+4))).
+ * Below δ_1 the power law gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which requires q > -1. Beyond δ_max
+ * the last tangent is integrated.
  *
  * For δ <= 0 the result is 0, for NaN it is NaN. energy() takes O(n) time and neither allocates nor
  * throws.

@@ -33,14 +33,14 @@ struct MeshDefects
  * The triangles of a body, repaired: laws, contact, display and mesher all use these triangles.
  *
  * - Triangles are left out if a corner is not a valid point index, if a corner occurs twice, or if
- * coordinates are not finite or exceed LargestCoordinate.
+ *   coordinates are not finite or exceed LargestCoordinate.
  * - Open borders are joined at points with the same coordinates (as float32 relative to the centre
- * of the body's box), and the ends of zero-length edges are joined. Therefore a surface becomes one
- * surface even if it is split for its texture or normals, or if its file stores the corners of each
- * triangle separately. Two closed bodies that touch remain two bodies.
+ *   of the body's box), and the ends of zero-length edges are joined. Therefore a surface becomes
+ *   one surface even if it is split for its texture or normals, or if its file stores the corners of
+ *   each triangle separately. Two closed bodies that touch remain two bodies.
  * - Copies of a triangle and flaps are left out (MeshRepeats).
  * - Neighbours are wound consistently (makeWindingConsistent), and solids are wound outward
- * (orientParts).
+ *   (orientParts).
  *
  * Cost: O(n) for a body without defects, with 60 bytes of memory per triangle.
  */

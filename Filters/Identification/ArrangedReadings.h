@@ -29,7 +29,7 @@ FirstContact findFirstContact(const IndentationCurve& curve);
  * one of two conditions:
  * - the range is at least half of the depth;
  * - the error of the force due to the drift over the depth is at most 1 % of the largest force. For
- * this condition the noise is assumed to be at least as large as the error of a law.
+ *   this condition the noise is assumed to be at least as large as the error of a law.
  *
  * Without these conditions a drift would make E* far more uncertain than the noise does, and errors
  * of the law would be fitted as drift.

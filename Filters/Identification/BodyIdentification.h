@@ -104,7 +104,7 @@ struct IdentifiedBody
  * - the readings before contact are not on a straight line;
  * - the global compliance is below 0;
  * - the curves do not separate the parameters; for example, the curves of flat punches of one
- * radius are straight lines for any E*, C_g and h;
+ *   radius are straight lines for any E*, C_g and h;
  * - the uncertainty of E* would be above `largestUncertainty` if C_g were also unknown;
  * - no model has a sufficiently small residual.
  *

@@ -75,12 +75,12 @@ struct FieldSettings
  *
  * Near part: used on a body of true shape if the response has a near field R (NearField.h). It is
  * the effect of an edge, a base or an inclusion near the contact on the dent in a half-space. d is
- * the vector of length r from the contact in its tangent plane, and v = (1 - m) v₀ + m F R(d), m =
- * 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) for r > a, else 0. Within the contact radius a the
- * surface has the shape of the tool. Outside, m is the fraction of a surface tilt that remains at
- * the distance r from a flat punch that cannot tilt (Johnson 1985, § 5.4 (f)). The local deflection
- * is that of a half-space with the E* at the contact under the same force. v₀ is δ minus the local
- * deflection and minus the deflection of the modes.
+ * the vector of length r from the contact in its tangent plane, and
+ *     v = (1 - m) v₀ + m F R(d), m = 1 - (2/π) (asin(a/r) - (a/r) √(1 - (a/r)²)) for r > a, else 0.
+ * Within the contact radius a the surface has the shape of the tool. Outside, m is the fraction of
+ * a surface tilt that remains at the distance r from a flat punch that cannot tilt (Johnson 1985, §
+ * 5.4 (f)). The local deflection is that of a half-space with the E* at the contact under the same
+ * force. v₀ is δ minus the local deflection and minus the deflection of the modes.
  *
  * Global part: the modes φ_k of the body with their signs s_k (GlobalModes.h) have the weights w_k
  * = -F s_k (n·φ_k(X)), where X is the contact point. The local deflection is δ - F Σ s_k

@@ -91,12 +91,12 @@ struct SagLaw
  * on layers). Therefore the tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and
  * F + κ F_sag(a). dF/dδ does not change, because it depends only on a.
  *
- * For a flat end of radius b in full contact the law depends only on the mean curvature: F = 2E*b(δ
- * - b²κ_m/3), where δ is the deflection of its centre. On a convex body the flat end is in full
- * contact for δ >= κ b²; at smaller depths the law is that of the sag. On a saddle or in a hollow
- * it is in full contact if δ is at least b² times the larger of |κ₁| and |κ₂| (wholeFrom). At
- * smaller depths only parts of its rim touch, and no law is known; a power of the depth is used
- * instead.
+ * For a flat end of radius b in full contact the law depends only on the mean curvature κ_m:
+ *   F = 2E*b(δ - b²κ_m/3),
+ * where δ is the deflection of its centre. On a convex body the flat end is in full contact for
+ * δ >= κ b²; at smaller depths the law is that of the sag. On a saddle or in a hollow it is in full
+ * contact if δ is at least b² times the larger of |κ₁| and |κ₂| (wholeFrom). At smaller depths only
+ * parts of its rim touch, and no law is known; a power of the depth is used instead.
  *
  * Two unequal curvatures are represented by the single curvature κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t,
  * where κ_t = g(a)/a² for the tool's profile g at the contact radius a. F is multiplied by 1 +

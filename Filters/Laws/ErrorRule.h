@@ -54,25 +54,25 @@ struct LawScope
  * error σ of κ_m.
  *
  * - Strain, Thickness: the error of the assumption of small strain (smallStrainError). On a layer,
- * it is assigned to the limit with the larger term. With a StrainCorrection it is the error of that
- * correction. In a stack it is 1.6 times the mean over the layers; the strain of each layer follows
- * from its fraction of the depth and the pressure on the layer.
+ *   it is assigned to the limit with the larger term. With a StrainCorrection it is the error of
+ *   that correction. In a stack it is 1.6 times the mean over the layers; the strain of each layer
+ *   follows from its fraction of the depth and the pressure on the layer.
  * - Thickness: additionally the change of the force by the errors of the layers' thicknesses
- * (ResponseLaw::thicknessEffect).
+ *   (ResponseLaw::thicknessEffect).
  * - Curvature: if the law does not include the curvature, |κ_m| times 2/3 E* a³/F, to first order
- * for any tool, and with a second-order term in hollows. If the law includes the curvature, this
- * term is 0. In both cases ln²(B/A)/48 for unequal curvatures and σ times 2/3 E* a³/F are added. If
- * the body's own compliance is unknown, q a |κ_m| is added for the global compliance, which is less
- * than that of a half-space; q = 0.46 for a sphere. In hollows q is larger for a compressible body,
- * as in a cavity: 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ *   for any tool, and with a second-order term in hollows. If the law includes the curvature, this
+ *   term is 0. In both cases ln²(B/A)/48 for unequal curvatures and σ times 2/3 E* a³/F are added.
+ *   If the body's own compliance is unknown, q a |κ_m| is added for the global compliance, which is
+ *   less than that of a half-space; q = 0.46 for a sphere. In hollows q is larger for a compressible
+ *   body, as in a cavity: 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
  * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness). On a layer it
- * is multiplied by e^(-d/h), because the base supports the layer. It is 0 if the body's own
- * compliance is known, because this compliance contains the effect. Beyond an open border the
- * missing part of the body is assumed to exist: the error at the border is that of a right-angled
- * edge, and decreases to 0 at a distance of 2a. If the servo tick corrects the effect of a sharp
- * edge, the fraction EdgeRemainder remains at a right angle, and WedgeRemainder at other angles,
- * for which edgeSharpness is less certain. The error is 100 % of the force if the contact is wider
- * than the whole body.
+ *   is multiplied by e^(-d/h), because the base supports the layer. It is 0 if the body's own
+ *   compliance is known, because this compliance contains the effect. Beyond an open border the
+ *   missing part of the body is assumed to exist: the error at the border is that of a right-angled
+ *   edge, and decreases to 0 at a distance of 2a. If the servo tick corrects the effect of a sharp
+ *   edge, the fraction EdgeRemainder remains at a right angle, and WedgeRemainder at other angles,
+ *   for which edgeSharpness is less certain. The error is 100 % of the force if the contact is
+ *   wider than the whole body.
  * - Elements: the error of the compliance times dF/dδ.
  * - None: the storage error.
  *

@@ -37,11 +37,11 @@ struct MaterialTilts
  * all moduli. Each of the following parameters has nodes, with one law per node and linear
  * interpolation between nodes:
  * - the thickness of layers, with nodes evenly spaced in a/(a + h), where a is the contact radius
- * at the range. A half-space is one end of this axis;
+ *   at the range. A half-space is one end of this axis;
  * - Poisson's ratio of layers;
  * - the thickness of a stack's second layer;
  * - compliance times modulus Y, with nodes evenly spaced in YK/(1 + YK), where K is the stiffness
- * divided by E* at the range.
+ *   divided by E* at the range.
  *
  * Several parameters form a grid of at most TiltTerms::MostLaws laws. If more laws would be needed,
  * the grid is coarsened. If only one parameter varies and has enough nodes, the error of the force

@@ -14,8 +14,9 @@ namespace palpate
  * The part of the response of a body around a point X of its surface that its modes (GlobalModes)
  * do not describe: the effect of an edge, a base or a nodule. R(d) is the inward displacement of
  * the surface at X + d caused by 1 N at X, in addition to the dent in a half-space. d is a vector
- * in the tangent plane at X. R(d) = κ² [R₀ + κ g·d + κ² d·Q d],  κ = min(1, ρ/|d|). R is known up
- * to the radius ρ. Beyond ρ it decreases with the square of the distance.
+ * in the tangent plane at X.
+ *   R(d) = κ² [R₀ + κ g·d + κ² d·Q d],  κ = min(1, ρ/|d|).
+ * R is known up to the radius ρ. Beyond ρ it decreases with the square of the distance.
  */
 struct NearField
 {

@@ -29,10 +29,10 @@ namespace palpate
  * depending on the ratio of a to the distance of the points:
  *
  * - below 1.1: a second form is fitted to the sags, the depths of the neighbours below the tangent
- * plane. The sags average over a third of the area of the turns. Both forms are combined;
+ *   plane. The sags average over a third of the area of the turns. Both forms are combined;
  * - 1.1 to 8: a polynomial is fitted to the heights of the points under the contact (DiscForms);
  * - above 8: the forms fitted to the turns are averaged over neighbouring points, at most MostSteps
- * times. The last step may be partial. Each form is rotated from one normal to the other.
+ *   times. The last step may be partial. Each form is rotated from one normal to the other.
  *
  * If the differences at neighbouring points have opposite signs, the surface is noisy. Then only
  * the turns are used.
@@ -42,13 +42,13 @@ namespace palpate
  * point and the average around it. The error depends on the method:
  *
  * - one form: 0.7 times the root of the sum of three squares: the roughness, the root-mean-square
- * residual of the turns (with fewer than three directions, twice the residual of the edges), and
- * the difference of the two forms. If the surface is noisy, it is the larger of the residual
- * and 2.5 times the roughness;
+ *   residual of the turns (with fewer than three directions, twice the residual of the edges), and
+ *   the difference of the two forms. If the surface is noisy, it is the larger of the residual
+ *   and 2.5 times the roughness;
  * - a disc: the sum of twice the residual of its heights divided by a², and 0.3 % of the curvature;
  * - an average: the sum of 1.3/(1 + steps) times the roughness (noise moves neighbours in opposite
- * directions), the change by the second half of the steps, a tenth of the spread, and a fiftieth of
- * the curvature.
+ *   directions), the change by the second half of the steps, a tenth of the spread, and a fiftieth
+ *   of the curvature.
  *
  * The true error is within this bound at 95 of 100 points of analytic surfaces, including noisy and
  * coarse surfaces: Testing/Cxx/Laws/SurfaceCurvatureTest.cxx.

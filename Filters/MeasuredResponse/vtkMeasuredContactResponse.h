@@ -38,16 +38,16 @@
  *
  * Output port 0: the body with the response arrays of vtkToolContactResponse, and
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
- * `IdentifiedThickness` (mm, 0 for a half-space), double;
+ *   `IdentifiedThickness` (mm, 0 for a half-space), double;
  * - `Status` 4 OutOfReach at points that are out of reach of all sites: these points have no
- * response;
+ *   response;
  * - `Error` and `Validity` as in vtkToolContactResponse. The error at each sample includes the
- * uncertainty at the sites (95 % intervals of the identified body, for this tool) and the
- * differences between the sites around the point. For curvature and edges, it includes the
- * difference between their effect on this tool and their effect in the readings;
+ *   uncertainty at the sites (95 % intervals of the identified body, for this tool) and the
+ *   differences between the sites around the point. For curvature and edges, it includes the
+ *   difference between their effect on this tool and their effect in the readings;
  * - `Limit` 6 (data) if noise and the differences between sites are the largest part of the error.
- * It is also set if, beyond Validity, the force or the contact radius of the tool (see DataEnd.h)
- * exceeds that of every tool in the measurement;
+ *   It is also set if, beyond Validity, the force or the contact radius of the tool (see DataEnd.h)
+ *   exceeds that of every tool in the measurement;
  * - `RelaxationStrength` and `RelaxationTime` (field data), if a site relaxes. The curves are then
  *   the slow response. The strengths are the mean over the sites, at times that are common to the
  *   sites. If there are several sites, the point data `LocalRelaxation` has the strengths of the

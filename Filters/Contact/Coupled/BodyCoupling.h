@@ -17,13 +17,13 @@ namespace palpate
 {
 /**
  * Compliance between two points of a body: the displacement of the surface at point i, divided by
- * the force at point j that causes it, mm/N: C_ij = (n_i·n_j)⁺ g(r/h) / (πr √(E*_i E*_j)) + Σ_m
- * φ_m(i) φ_m(j), with g from CouplingLaw, h = √(h_i h_j), and r the straight distance between the
- * points. r is at least the sum of the contact radii, because rigid tools would collide at a
- * smaller distance. Two points whose normals are more than 90° apart are coupled only by the modes
- * of the body, not through the surface. C is symmetric. If g = 1 and the diagonal has the
- * compliances 1/K_i of the single contacts, C is positive definite, so that the forces exist and
- * are unique.
+ * the force at point j that causes it, mm/N:
+ *   C_ij = (n_i·n_j)⁺ g(r/h) / (πr √(E*_i E*_j)) + Σ_m φ_m(i) φ_m(j),
+ * with g from CouplingLaw, h = √(h_i h_j), and r the straight distance between the points. r is at
+ * least the sum of the contact radii, because rigid tools would collide at a smaller distance. Two
+ * points whose normals are more than 90° apart are coupled only by the modes of the body, not
+ * through the surface. C is symmetric. If g = 1 and the diagonal has the compliances 1/K_i of the
+ * single contacts, C is positive definite, so that the forces exist and are unique.
  *
  * C_ij is a function of the area coordinates of the two points. gradient() returns its derivatives
  * with respect to these coordinates, so that moving contacts have an energy. Immutable; can be used

@@ -33,11 +33,12 @@ namespace palpate
  * surface under the other tools.
  *
  * With ForceForm::EnergyConsistent each tool is also drawn towards the other tools along the
- * surface by the force F_i F_j ∂C_ij/∂x_i. Then all forces derive from the energy Σ δ_i F_i - Σ
- * U*_i(F_i) - Σ_{i<j} C_ij F_i F_j of the body on any path of the contacts, with two exceptions:
- * the residual after two rounds (2e-6 F δ per period of two tools that press a quarter period
- * apart), and contacts that are nearer to each other than the sum of their radii. This does not
- * apply to a body that relaxes.
+ * surface by the force
+ *   F_i F_j ∂C_ij/∂x_i.
+ * Then all forces derive from the energy Σ δ_i F_i - Σ U*_i(F_i) - Σ_{i<j} C_ij F_i F_j of the body
+ * on any path of the contacts, with two exceptions: the residual after two rounds (2e-6 F δ per
+ * period of two tools that press a quarter period apart), and contacts that are nearer to each
+ * other than the sum of their radii. This does not apply to a body that relaxes.
  *
  * For a body without coupling, and for a single contact, the results are bit for bit those of
  * ToolContact. update() neither allocates, locks nor throws. Its cost is bounded: N² multiply-adds

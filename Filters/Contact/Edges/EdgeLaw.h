@@ -45,9 +45,10 @@ PALPATE_EXPORT EdgeTerms edgeTermsOf(
  * Fraction Ψ of a contact's work that remains near the straight edge of an elastic body: W = W₀(δ)
  * Ψ(u). W₀ is the work at the same depth far from the edge, and a₀ is the contact radius there. u =
  * d/a₀(δ), where d is the distance of the tool's axis from the edge, positive inside the body. The
- * forces follow from this energy: F = F₀ Ψ - W₀ Ψ' u a₀'/a₀,   F_side = W₀ Ψ'/a₀, away from the
- * body. Therefore no energy is gained on closed paths. The tool loses contact with an elastic body
- * at u = -1 (flat), -√2 (paraboloid) or -π/2 (cone).
+ * forces follow from this energy:
+ *   F = F₀ Ψ - W₀ Ψ' u a₀'/a₀,   F_side = W₀ Ψ'/a₀, away from the body.
+ * Therefore no energy is gained on closed paths. The tool loses contact with an elastic body at u =
+ * -1 (flat), -√2 (paraboloid) or -π/2 (cone).
  *
  * Ψ of a right-angled edge comes from Hetényi's two overlapping half-spaces
  * (Data/Reference/edges/edge_law.csv). It is a C¹ spline through values and slopes. Between the

@@ -96,9 +96,9 @@ struct ResponseChoice
  * of the secant to the end of the point's range, that is, the local compliance in series with the
  * global one. The error of a spring is relative to the force at the end of the range. It is not
  * relative to the force at the same depth, unlike the error of laws, because a spring cannot follow
- * the start of a contact: near δ = 0 its relative error is unbounded. With the local fraction ε = 1
- * - λ at the end of the range, the largest error of the spring of a sphere is ε/7 of the force at
- * the end, at 0.3 of the range.
+ * the start of a contact: near δ = 0 its relative error is unbounded. If the local fraction at the
+ * end of the range is ε = 1 - λ, the largest error of the spring of a sphere is ε/7 of the force at
+ * the end, and occurs at 0.3 of the range.
  *
  * Otherwise the smallest number of laws is chosen for which a fraction `share` of the points is
  * within the tolerance of reduceResponse: |F' - F|/F at any depth up to the range. The laws are

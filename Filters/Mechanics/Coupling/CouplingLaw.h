@@ -21,9 +21,10 @@ struct CouplingKnot
  * The compliance of a body at one point of its surface under a force at another point, at a
  * distance r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). In Fourier space the
  * displacement of the surface of a layer of thickness h is W(kh) times that of a half-space
- * (LayerKernel). Therefore g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin
- * φ) dφ, x = r/h. If the base is rigid, g is negative beyond about one thickness, where the surface
- * bulges, and decays to 0 at a slightly larger distance.
+ * (LayerKernel). Therefore
+ *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
+ * If the base is rigid, g is negative beyond about one thickness, where the surface bulges, and
+ * decays to 0 at a slightly larger distance.
  *
  * g is stored as cubic polynomials between 79 knots, with an error of 2e-6; for x > 39 it is
  * constant. The law also gives the contact radius a for a stiffness K, for any tool whose pressure

@@ -12,6 +12,7 @@ namespace palpate
  * The table of functions of a module. A module is a library that the core does not link, because
  * most scenes do not need it. The table type of each module is derived from this struct. A module
  * NAME defines
+ *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
 {

@@ -21,10 +21,10 @@ std::unique_ptr<StrainTable> neoHookeOnHalfSpace(const AxisymmetricTool& tool, d
 /// Returns the factor c of Neo-Hooke layers that are bonded to their base. Returns null for other
 /// tools.
 /// - Thin layers: a sphere on layers of half to four radii, to a depth of half the thickness; null
-/// if `deepest` is more than 0.7 of the thinnest layer.
+///   if `deepest` is more than 0.7 of the thinnest layer.
 /// - Thick layers: a sphere or a flat end on layers of at least two radii, to the depth of
-/// thickLayerReach(), and with an increasing error to 2.25 times that depth for the thinnest layer.
-/// For thicknesses above sixteen radii c is that of sixteen radii.
+///   thickLayerReach(), and with an increasing error to 2.25 times that depth for the thinnest
+///   layer. For thicknesses above sixteen radii c is that of sixteen radii.
 std::unique_ptr<StrainTable> neoHookeOnLayers(
   const AxisymmetricTool& tool, double thinnest, double thickest, double deepest);
 

@@ -39,7 +39,7 @@ struct StrainBodies
  *
  * Stored results of the solver are available for a Neo-Hooke body
  * - on a half-space under a sphere (to δ = R), a flat end (with its rim rounded by a tenth of the
- * radius, to δ = 1.3 R) and a cone (45° to 75°);
+ *   radius, to δ = 1.3 R) and a cone (45° to 75°);
  * - on a bonded layer of half to four radii under a sphere (to δ = h/2);
  * - on bonded layers of two radii or more under a sphere and a flat end (to 0.7 to 1.2 radii).
  *

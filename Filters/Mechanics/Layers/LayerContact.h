@@ -16,11 +16,11 @@ namespace palpate
  * A tool pressed into an elastic layer of thickness h on a rigid base, bonded or slipping.
  *
  * The law is the exact linear solution (LayerKernel.h) for any axisymmetric tool with reduced
- * profile g. With the solution y₁ for a flat punch and the resolvent Γ, δ(a) = [g(a) - ∫_0^a Γ g
- * dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt. E* = E/(1-ν²) with the ν of
- * the kernel. The law is valid for a <= LayerKernel::LargestRatio h; at larger depths the result is
- * NaN. The assumption of small strain requires δ << h, in addition to the limit of the tool
- * (depthAtStrain).
+ * profile g. With the solution y₁ for a flat punch and the resolvent Γ,
+ *   δ(a) = [g(a) - ∫_0^a Γ g dt]/y₁(a),   F = 2E* ∫_0^a y₁ (δ - g) dt,   dF/dδ = 2E* ∫_0^a y₁ dt.
+ * E* = E/(1-ν²) with the ν of the kernel. The law is valid for a <= LayerKernel::LargestRatio h; at
+ * larger depths the result is NaN. The assumption of small strain requires δ << h, in addition to
+ * the limit of the tool (depthAtStrain).
  *
  * Cost: 10 to 30 µs per evaluation for a smooth tool. Immutable; can be used from any number of
  * threads.

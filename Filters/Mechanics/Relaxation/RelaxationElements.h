@@ -16,9 +16,10 @@ namespace palpate
 {
 /**
  * A relaxing foundation of parallel elements. Element j begins at a depth (gap) g_j below the
- * surface and carries the force q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i, where u is the
- * displacement of the element, which is δ - g_j during contact. An element carries no tensile
- * force. Out of contact it recovers with q = 0.
+ * surface and carries the force
+ *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
+ * where u is the displacement of the element, which is δ - g_j during contact. An element carries
+ * no tensile force. Out of contact it recovers with q = 0.
  *
  * The force for a slow curve f is F = Σ w_j q_j. The curve f is approximated by chords between the
  * gaps, and the weights w_j are the increments of the slopes of these chords. In the limit of close

@@ -23,8 +23,10 @@ struct TiltedLayer
  * effect of the base on an elongated contact or on a rim differs from that on a circular contact.
  *
  * Let T be `stretch` (at least 1), ρ = `radius` √T, g = ρ³/(ρ³ + 0.22) and s = `rim`. The error is
- * the larger of 0.36 (1 - T^-1.2) g, for pointed tools, and 0.18 s²/(1 + s²) g, for flat ends. This
- * is an envelope of results of boundary elements on layers with ν = 0.45
+ * the larger of
+ *   0.36 (1 - T^-1.2) g, for pointed tools, and
+ *   0.18 s²/(1 + s²) g, for flat ends.
+ * This is an envelope of results of boundary elements on layers with ν = 0.45
  * (Data/Reference/tilt/tilt_layer_nu0.45.csv).
  *
  * The result is at least the error of the table on a half-space, from boundary elements

@@ -32,9 +32,9 @@ struct MadeTilt
  * - spheres are exact, and flat ends follow their universal law;
  * - cones and blunted cones have errors of at most 0.5 %;
  * - other flat ends have errors of at most 3 % for depths of at least 0.1 of their size, and 1 %
- * for at least 0.2;
+ *   for at least 0.2;
  * - sampled profiles have errors of at most 1 %, but 6 % shortly before one of their facets is
- * parallel to the body's surface.
+ *   parallel to the body's surface.
  *
  * On layers tiltError() is the error of the force due to the equivalent profile. The error of the
  * torque, relative to F a, may be four times as large. For the upright tool |M| is at most 1e-3 F

@@ -52,11 +52,12 @@ PALPATE_EXPORT std::string faultOfTilts(const TiltTerms& terms);
 
 /**
  * The effect of tilt on the force of a tool. W_0(D) is the work of pressing the upright tool to the
- * depth D. If the deepest point of the tool tilted by θ is at the depth D, the work is W(D, θ) =
- * W_0(D) τ(D, θ),  D = δ + h(θ), where δ is the depth of the tip, which is on the axis, and h the
- * drop of the deepest point. Force and torque follow from this energy, so that closed paths gain no
- * energy: F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ. F acts along
- * the body's normal. M acts about the tip, towards the upright position. τ(D, 0) = 1.
+ * depth D. If the deepest point of the tool tilted by θ is at the depth D, the work is
+ *   W(D, θ) = W_0(D) τ(D, θ),  D = δ + h(θ),
+ * where δ is the depth of the tip, which is on the axis, and h the drop of the deepest point. Force
+ * and torque follow from this energy, so that closed paths gain no energy:
+ *   F = ∂W/∂D = F_0 τ + W_0 ∂τ/∂D,   M = ∂W/∂θ at one δ = F dh/dθ + W_0 ∂τ/∂θ.
+ * F acts along the body's normal. M acts about the tip, towards the upright position. τ(D, 0) = 1.
  *
  * τ = ρ η. η is the bicubic Hermite interpolant between nodes in x = √(D/D_m) and y = θ/θ_m. ρ is
  * 1, except for a tool with a flat end, whose force decreases fast with the tilt. Then ρ is that of

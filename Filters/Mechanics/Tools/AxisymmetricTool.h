@@ -23,10 +23,11 @@ struct SurfaceDisplacement
  * A rigid, frictionless tool of revolution, and its contact with an elastic half-space.
  *
  * The tool has the profile z = f(r), f(0) = 0, and is pressed to the depth δ. In the method of
- * dimensionality reduction (Galin; Sneddon 1965; Popov and Hess 2015) the reduced profile is g(x) =
- * x ∫_0^{π/2} f'(x sin θ) dθ, the contact radius a is the solution of g(a) = δ, the force is F =
- * 2E* ∫_0^a (δ - g) dx, and for every profile dF/dδ = 2E* a. Pressure and displacements are also
- * computed from g (DimensionalityReduction.h); shapes with closed forms override them.
+ * dimensionality reduction (Galin; Sneddon 1965; Popov and Hess 2015) the reduced profile is
+ *   g(x) = x ∫_0^{π/2} f'(x sin θ) dθ,
+ * the contact radius a is the solution of g(a) = δ, the force is F = 2E* ∫_0^a (δ - g) dx, and for
+ * every profile dF/dδ = 2E* a. Pressure and displacements are also computed from g
+ * (DimensionalityReduction.h); shapes with closed forms override them.
  *
  * Units: mm, N, MPa. If there is no contact (δ <= 0), every result is 0. A NaN argument results in
  * NaN. The reduced modulus is E* = E/(1-ν²), see ReducedModulus.h. The laws assume linear
