@@ -36,8 +36,8 @@ struct MeshDefects
  *   coordinates are not finite or exceed LargestCoordinate.
  * - Open borders are joined at points with the same coordinates (as float32 relative to the centre
  *   of the body's box), and the ends of zero-length edges are joined. Therefore a surface becomes
- *   one surface even if it is split for its texture or normals, or if its file stores the corners of
- *   each triangle separately. Two closed bodies that touch remain two bodies.
+ *   one surface even if it is split for its texture or normals, or if its file stores the corners
+ *   of each triangle separately. Two closed bodies that touch remain two bodies.
  * - Copies of a triangle and flaps are left out (MeshRepeats).
  * - Neighbours are wound consistently (makeWindingConsistent), and solids are wound outward
  *   (orientParts).

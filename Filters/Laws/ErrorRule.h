@@ -63,8 +63,8 @@ struct LawScope
  *   for any tool, and with a second-order term in hollows. If the law includes the curvature, this
  *   term is 0. In both cases ln²(B/A)/48 for unequal curvatures and σ times 2/3 E* a³/F are added.
  *   If the body's own compliance is unknown, q a |κ_m| is added for the global compliance, which is
- *   less than that of a half-space; q = 0.46 for a sphere. In hollows q is larger for a compressible
- *   body, as in a cavity: 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
+ *   less than that of a half-space; q = 0.46 for a sphere. In hollows q is larger for a
+ *   compressible body, as in a cavity: 0.46 + 1.95 (½-ν) + 0.32 (1-2ν)² ln(1/(a |κ_m|)).
  * - Edge: 1 - Φ(d/a) of the edge with the largest effect (edgeFactor, edgeSharpness). On a layer it
  *   is multiplied by e^(-d/h), because the base supports the layer. It is 0 if the body's own
  *   compliance is known, because this compliance contains the effect. Beyond an open border the

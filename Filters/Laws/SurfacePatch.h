@@ -21,8 +21,8 @@ using PatchVisitor =
 /**
  * The patch of a surface around a contact. It contains the start points that were added, and all
  * points that are connected to them and have a normal within 60° of the contact normal. If `reach`
- * > 0, a point must also be within that distance (mm), or next to a point within that distance.
- * Start points always belong to the patch.
+ * is positive, a point must also be within that distance (mm), or next to a point within that
+ * distance. Start points always belong to the patch.
  *
  * The distance is the length of the circular arc that is tangent to the surface at the contact and
  * at the point: the length of the chord times (θ/2)/sin(θ/2). θ is the angle between the contact

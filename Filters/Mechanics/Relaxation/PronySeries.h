@@ -50,9 +50,9 @@ PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 
 /// Returns the force at the end of a press at constant speed, divided by the slow force. `seconds`
-/// is the duration of the press, and the slow curve is f ∝ δ^m (Lee and Radok 1960). The ratio is 1
-/// + Σ p_i M(1; m+1; -t/τ_i), with Kummer's function M = ₁F₁. A modulus measured in such a press is
-/// the slow modulus times this ratio.
+/// is the duration t of the press, and the slow curve is f ∝ δ^m (Lee and Radok 1960). With
+/// Kummer's function M = ₁F₁, the ratio is 1 + Σ p_i M(1; m+1; -t/τ_i). A modulus measured in such
+/// a press is the slow modulus times this ratio.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
 /// Reads text of the form "0.5:0.1,0.3:2", with strength:seconds for each branch; "" means no
