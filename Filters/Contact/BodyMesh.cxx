@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Whether the height of a triangle exceeds the rounding of its coordinates.
+/// Returns whether the height of a triangle exceeds the rounding error of its coordinates.
 bool hasArea(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double longest =
@@ -31,7 +31,8 @@ Vector3 placeOf(const double* points, std::int32_t index)
   return Eigen::Map<const Vector3>(points + 3 * static_cast<std::size_t>(index));
 }
 
-/// Adds a triangle's normal at its corners, weighted by the angle there.
+/// Adds the normal of a triangle to the normals of its three corners, each weighted by the angle of
+/// the triangle at the corner.
 void addNormal(const double* points, const TriangleCorners& corner, std::vector<double>& normals)
 {
   const std::array<Vector3, 3> place{ placeOf(points, corner[0]), placeOf(points, corner[1]),
@@ -44,7 +45,7 @@ void addNormal(const double* points, const TriangleCorners& corner, std::vector<
   }
 }
 
-/// Normalizes all vectors except zeros.
+/// Scales all vectors to unit length, except zero vectors.
 void normalize(std::vector<double>& normals)
 {
   for (std::size_t i = 0; i < normals.size(); i += 3)

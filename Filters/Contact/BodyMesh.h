@@ -18,19 +18,20 @@
 namespace palpate
 {
 /**
- * The undeformed surface of a body in the order and with the coordinates of its input, for filters
- * that traverse it: the triangles that meet at a point, open borders, the outer side. The servo
- * tick reads the PackedMesh instead.
+ * The undeformed surface of a body, with the points and triangles in the order of the input.
+ * Filters use it to find the triangles that meet at a point, the open borders and the outer side.
+ * The servo tick reads the PackedMesh instead.
  *
- * Triangles are wound counter-clockwise seen from outside. A triangle is ignored, and counted in
- * defects(), if a vertex is not finite, an index is out of range, or the area is zero.
+ * Triangles must be wound counter-clockwise as seen from outside. A triangle is ignored, and
+ * counted in defects(), if a vertex is not finite, an index is out of range, or the area is zero.
  *
- * Cost: built in O(n), about 90 bytes per triangle. Immutable, safe from any number of threads.
+ * Cost: construction takes O(n) time and about 90 bytes per triangle. The object is immutable and
+ * can be used from any number of threads.
  */
 class PALPATE_EXPORT BodyMesh
 {
 public:
-  /// Counts of the defects of the triangles.
+  /// Number of triangles with each kind of defect.
   struct Defects
   {
     std::size_t notFinite = 0;
@@ -40,11 +41,13 @@ public:
     std::size_t borderEdges = 0;
   };
 
-  /// Copies `pointCount` points (x, y, z) and `triangleCount` triangles (three point indices).
+  /// Copies `pointCount` points (x, y, z of each) and `triangleCount` triangles (three point
+  /// indices each).
   BodyMesh(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount);
 
-  /// The arrays given to the constructor: x, y, z of each point; three indices of each triangle.
+  /// The arrays given to the constructor: coordinates() has x, y, z of each point, indices() has
+  /// three point indices per triangle.
   const double* coordinates() const noexcept { return this->Points.data(); }
   const std::int32_t* indices() const noexcept
   {
@@ -60,18 +63,20 @@ public:
   {
     return Eigen::Map<const Vector3>(this->Points.data() + 3 * static_cast<std::size_t>(index));
   }
-  /// Whether the triangle is used in contact.
+  /// Returns whether the triangle is usable: it has valid corners and an area.
   bool isUsable(std::int32_t triangle) const noexcept
   {
     return this->Usable[static_cast<std::size_t>(triangle)];
   }
-  /// Unit angle-weighted normal at a point; zero if no usable triangle meets the point.
+  /// Returns the unit normal at a point: the mean of the normals of its triangles, weighted by
+  /// their angles at the point. Zero if no usable triangle meets the point.
   Vector3 pointNormal(std::int32_t index) const noexcept
   {
     return Eigen::Map<const Vector3>(
       this->PointNormals.data() + 3 * static_cast<std::size_t>(index));
   }
-  /// The usable triangles around a point: first and one past the last.
+  /// Returns the usable triangles around a point as a pointer to the first and a pointer past the
+  /// last.
   std::array<const std::int32_t*, 2> trianglesAround(std::int32_t index) const noexcept
   {
     return this->Links->around(index);
@@ -81,12 +86,14 @@ public:
   {
     return std::find(this->Usable.begin(), this->Usable.end(), true) != this->Usable.end();
   }
-  /// Whether the surface encloses a volume: it has neither a border nor a defect.
+  /// Returns whether the surface encloses a volume. This is the case if it has neither a border nor
+  /// a defect.
   bool isClosed() const noexcept;
-  /// Volume enclosed by the usable triangles, mm³; negative if they are wound inward.
+  /// Returns the volume enclosed by the usable triangles, mm³; negative if the triangles are wound
+  /// inward.
   double enclosedVolume() const noexcept;
 
-  /// The point of the triangle closest to the tip; the distance is unsigned.
+  /// Returns the point of the triangle closest to the tip; the distance is unsigned.
   TriangleProjection project(const Vector3& tip, std::int32_t triangle) const noexcept;
 
 private:
@@ -101,8 +108,8 @@ private:
   Defects Found;
 };
 
-/// Computes the same normals as pointNormal() without a BodyMesh: x, y, z of each point. Every
-/// corner of every triangle must be the index of a point.
+/// Computes the same normals as pointNormal() without a BodyMesh. Returns x, y, z of each point.
+/// Every corner of every triangle must be a valid point index.
 PALPATE_EXPORT std::vector<double> angleWeightedNormals(const double* points,
   std::size_t pointCount, const std::int32_t* triangles, std::size_t triangleCount);
 } // namespace palpate

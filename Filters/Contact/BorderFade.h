@@ -15,43 +15,43 @@
 namespace palpate
 {
 /**
- * The force that remains on a tip that has slid off an open border.
+ * Force on a tip that has slid off an open border of the surface.
  *
- * Beyond a border there is no surface and no depth, but a user notices a force that vanishes
- * between two ticks as a knock. Therefore the force fades with the position of the tip. Let the tip
- * be h below the surface at the border, and l beyond the border, measured within the surface. The
- * force is then the fraction
+ * Beyond a border there is no surface and no depth. A force that vanishes between two ticks would
+ * be noticed as a knock, so the force fades with the distance of the tip from the border. Let h be
+ * the depth of the tip below the surface at the border, and l its distance beyond the border,
+ * measured within the surface. The force is then the fraction
  *   (1 - l/h)² (1 + 2 l/h)
- * of the force at depth h: 1 directly under the border and 0 for l >= h, with a continuous slope at
- * both ends. The force remains along the normal of the surface; no force pulls the tip back to the
- * border.
+ * of the force at depth h. The fraction is 1 directly under the border and 0 for l >= h, and its
+ * slope is continuous at both ends. The force acts along the normal of the surface. No force pulls
+ * the tip back to the border.
  *
- * The fade is a function of the position alone, not of the path. It is continuous if the surface at
- * the border is flat or bends along the border; otherwise it jumps only because of the angle
- * between neighbouring triangles. Energy is not conserved: a tip that enters from the side reaches
- * a depth without the work of pressing.
+ * The fade depends only on the position of the tip, not on its path. It is continuous if the
+ * surface at the border is flat or bends only along the border. Otherwise the force jumps where two
+ * triangles meet at an angle. Energy is not conserved: a tip that enters from the side reaches a
+ * depth without the work of pressing.
  */
 struct BorderFade
 {
-  double depth = 0.0;    ///< h, mm, >= 0
-  double fraction = 0.0; ///< remaining fraction of the force at that depth, 0 to 1
+  double depth = 0.0;    ///< depth h, mm, >= 0
+  double fraction = 0.0; ///< remaining fraction of the force at depth h, 0 to 1
 
-  /// Evaluates the fade for a point on the border of a triangle. `weights` are its area
-  /// coordinates: one is zero on an edge, two at a corner. `offset` is the vector from that point
-  /// to the tip, on the inner side.
+  /// Evaluates the fade for a point on the border of a triangle. `weights` are the area coordinates
+  /// of the point: one of them is zero on an edge, two at a corner. `offset` is the vector from the
+  /// point to the tip, which is on the inner side.
   static BorderFade at(const PackedMesh& mesh, std::int32_t triangle, const Vector3& weights,
     const Vector3& offset) noexcept;
-  /// Sets the depth and the fade of a tool beyond a border (Pressed::reach). `tip` is the point
-  /// that the tracker follows.
+  /// Sets Pressed::reach of a tool beyond a border to the depth and the fraction of the fade. `tip`
+  /// is the point that the tracker follows.
   static void reach(const PackedMesh& mesh, const Vector3& tip, Pressed& pressed) noexcept;
 
 private:
-  /// Length (>= 0) of the part of a vector that is in the cone between two unit vectors.
+  /// Length (>= 0) of the projection of a vector on the cone between two unit vectors.
   static double lengthBetween(
     const Vector3& vector, const Vector3& one, const Vector3& other) noexcept;
-  /// Depth under a corner: the largest length of -offset within the cone between the normals of two
-  /// triangles with a border edge that ends at the corner. A manifold has two such triangles; if
-  /// there are more, any two of them may be combined.
+  /// Depth under a corner: the largest length of -offset within a cone between the normals of two
+  /// triangles with a border edge that ends at the corner. A manifold has exactly two such
+  /// triangles. If there are more, every pair of them is considered.
   static double depthAtCorner(
     const PackedMesh& mesh, std::int32_t triangle, int corner, const Vector3& offset) noexcept;
 };
@@ -65,8 +65,8 @@ inline double BorderFade::lengthBetween(
   const double alpha = a - cosine * b;
   const double beta = b - cosine * a;
   const double squaredSine = 1.0 - cosine * cosine;
-  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12) // otherwise the projection is on a border
-                                                        // of the cone
+  // If this condition is false, the projection is on a border of the cone.
+  if (alpha > 0.0 && beta > 0.0 && squaredSine > 1e-12)
   {
     return std::sqrt((alpha * a + beta * b) / squaredSine);
   }
@@ -123,7 +123,8 @@ inline void BorderFade::reach(const PackedMesh& mesh, const Vector3& tip, Presse
   const BorderFade fade =
     at(mesh, place.triangle, place.projection.weights, tip - place.projection.point);
   pressed.reach.depth = fade.depth - pressed.sunk;
-  pressed.reach.share.value = fade.fraction; // without its gradient: no force pulls the tip back
+  // Its gradient is left 0, so that no force pulls the tip back.
+  pressed.reach.share.value = fade.fraction;
   place.normal = mesh.faceNormal(place.triangle);
   place.weightGradients.setZero();
 }

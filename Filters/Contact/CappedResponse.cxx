@@ -8,13 +8,14 @@ namespace palpate
 {
 namespace
 {
-/// Permitted error of the force because of the position of an interval's end, divided by K_max δ.
+/// Permitted error of the force, divided by K_max δ, due to the error in the position of one end of
+/// an interval.
 constexpr double Accuracy = 1e-7;
 } // namespace
 
 double CappedResponse::Slope::root() const noexcept
 {
-  // The root between t = 0 and 1, where the signs differ; computed without cancellation.
+  // The root between t = 0 and t = 1, where the signs differ. The formula avoids cancellation.
   const double square = second * second - 4.0 * first * third;
   const double sum = -0.5 * (second + std::copysign(std::sqrt(std::max(0.0, square)), second));
   for (const double t : { first / sum, sum / third })
@@ -42,8 +43,8 @@ CappedResponse::Place CappedResponse::at(double root) const noexcept
   return { root, deflection, value.force, value.stiffness - this->Maximum };
 }
 
-/// Evaluates the curve near δ = 0. The stiffness may be infinite there: the excess has the correct
-/// sign, but a limited magnitude.
+/// Evaluates the curve near δ = 0. The stiffness may be infinite there, so that only the sign of
+/// the excess is exact and its magnitude is limited.
 CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
 {
   constexpr double close = 1e-6;
@@ -53,8 +54,9 @@ CappedResponse::Place CappedResponse::atOnset(const Place& first) const noexcept
   return place;
 }
 
-/// Derivative of G = F - K_max δ between two points, from the cubic in √δ with the values and
-/// slopes at these points: G'(t) = first + t (second + t third), t from 0 to 1.
+/// Derivative of G = F - K_max δ between two points. G is approximated by the cubic in √δ that has
+/// the values and slopes of G at these points. Then G'(t) = first + t (second + t third), with t
+/// from 0 to 1.
 CappedResponse::Slope CappedResponse::slopeBetween(
   const Place& low, const Place& high) const noexcept
 {
@@ -70,8 +72,8 @@ CappedResponse::Place CappedResponse::crossing(Place low, Place high) const noex
   const bool rises = high.excess > 0.0;
   const double enough = Accuracy * this->Maximum * high.deflection;
   double guess = this->slopeBetween(low, high).root();
-  // Illinois: the weight of an end that is kept twice is halved, so that both ends approach the
-  // root.
+  // Illinois variant of regula falsi: if one end is kept twice, its weight is halved, so that both
+  // ends approach the root.
   double lowWeight = 1.0;
   double highWeight = 1.0;
   Place found = low;
@@ -99,7 +101,7 @@ double CappedResponse::lost(double deflection, double force) const noexcept
   double sum = 0.0;
   Place next = this->at(1.0 / NodesInRange);
   Place last = this->atOnset(next);
-  Place turn = last; // the last change of the excess's sign below δ
+  Place turn = last; // the last point below δ at which the excess changes its sign
   bool isAbove = last.excess > 0.0;
   const auto advance = [&](const Place& to)
   {
@@ -108,7 +110,7 @@ double CappedResponse::lost(double deflection, double force) const noexcept
       const Place end = this->crossing(last, to);
       if (end.deflection >= deflection)
       {
-        last.deflection = deflection; // the end is beyond δ
+        last.deflection = deflection; // the sign changes beyond δ: ends the search
         return;
       }
       sum += isAbove ? this->taken(turn, end.deflection, end.force) : 0.0;
@@ -154,7 +156,7 @@ double CappedResponse::lostByRise(double deflection, double force) const noexcep
   }
   if (!(high.excess > 0.0))
   {
-    return 0.0; // negative because of rounding at the node
+    return 0.0; // the excess is not positive because of rounding at the node
   }
   const Place begin = low.excess > 0.0 ? low : this->crossing(low, high);
   return begin.deflection < deflection ? this->taken(begin, deflection, force) : 0.0;

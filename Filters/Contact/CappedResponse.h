@@ -8,32 +8,34 @@
 namespace palpate
 {
 /**
- * The curve of a contact with its stiffness capped, for devices that cannot render a stiffer one:
+ * Force curve of a contact with limited stiffness, for devices that cannot render a higher
+ * stiffness:
  *   F_c(δ) = ∫₀^δ min(dF/dδ, K_max) dδ'.
- * F_c is a function of the deflection alone: it has no state, and a closed cycle of the deflection
- * neither gains nor loses energy. As the contact moves over the surface, F_c changes as F does.
+ * F_c is a function of the deflection alone and has no state, so that a closed cycle of the
+ * deflection neither gains nor loses energy. When the contact moves over the surface, F_c changes
+ * with F.
  *
- * F_c is lower than F because of the intervals [a, b] in which the stiffness is above K_max: each
- * reduces the force by F(b) - F(a) - K_max (b - a). The ends of the intervals are searched between
- * fixed nodes √(δ/δ_max) = j/16. One end lies between two nodes if the excess dF/dδ - K_max has
- * different signs at these nodes. Two ends lie between them if the cubic with the values and slopes
- * at the nodes has two changes of sign. This cubic gives the first guess of an end; regula falsi
- * (Illinois) then refines it. The excess is zero at an end, so that an error ε of its position
- * changes the force only by the order of ε². For a monotone stiffness F_c is exact to 1e-7 of K_max
- * δ. If the stiffness rises and falls several times between two nodes, an interval can be missed
- * (random samples: up to 2 %). The nodes do not depend on δ, so that F_c is continuous in δ to that
- * 1e-7.
+ * F_c is lower than F because of the intervals [a, b] in which the stiffness exceeds K_max: each
+ * interval reduces the force by F(b) - F(a) - K_max (b - a). The ends of the intervals are searched
+ * between fixed nodes √(δ/δ_max) = j/16. One end lies between two nodes if the excess dF/dδ - K_max
+ * has different signs at these nodes. Two ends lie between them if the cubic with the values and
+ * slopes at the nodes has two changes of sign. This cubic gives the first estimate of an end, and
+ * regula falsi (Illinois) refines it. The excess is zero at an end, so that an error ε of the
+ * position of the end changes the force only by a term of order ε². For a monotone stiffness, the
+ * error of F_c is at most 1e-7 of K_max δ. If the stiffness rises and falls several times between
+ * two nodes, an interval can be missed (errors up to 2 % in random samples). The nodes do not
+ * depend on δ, so that F_c is continuous in δ to 1e-7 of K_max δ. 1e-7.
  *
- * If the stiffness of the response is known to rise (ResponseField), there is at most one interval,
- * without an upper end. There is none while dF/dδ <= K_max; its start is found by bisection of the
- * nodes.
+ * If the stiffness of the response is known to increase with δ (ResponseField), there is at most
+ * one interval, and it has no upper end. There is no interval while dF/dδ <= K_max. The start of
+ * the interval is found by bisection over the nodes.
  *
- * Cost: one evaluation of F per node up to δ, that is 16 up to the end of the range and at most 32
- * beyond it, and about 3 (at most Refinements) per end of an interval; a monotone stiffness has one
- * end. For a stiffness known to rise, no evaluation if there is no interval, else about 8. A
- * negative F_c, which can follow a capped rise and a longer fall, is replaced by 0. If K_max is
- * infinite, F_c is F; if K_max is negative or NaN, F_c is 0. F_c is 0 for δ <= 0 and NaN. No
- * function allocates or throws.
+ * Cost: one evaluation of F per node up to δ (16 up to the end of the range, at most 32 beyond it),
+ * and about 3 evaluations (at most Refinements) per end of an interval. A monotone stiffness has
+ * one end. If the stiffness is known to increase, about 8 evaluations are needed, or none if there
+ * is no interval. A negative F_c, which can occur when the stiffness is capped and then negative
+ * over a long range, is replaced by 0. If K_max is infinite, F_c equals F. If K_max is negative or
+ * NaN, F_c is 0. F_c is also 0 for δ <= 0 and for NaN. The functions neither allocate nor throw.
  */
 class PALPATE_EXPORT CappedResponse
 {
@@ -42,7 +44,7 @@ public:
   static constexpr int Nodes = 2 * NodesInRange;
   static constexpr int Refinements = 12;
 
-  /// `maximumStiffness` in N/mm.
+  /// `maximumStiffness` is K_max, N/mm.
   CappedResponse(const BlendedResponse& response, double maximumStiffness) noexcept
     : Response(response)
     , Maximum(maximumStiffness > 0.0 ? maximumStiffness : 0.0)
@@ -50,10 +52,10 @@ public:
   {
   }
 
-  /// F_c and min(dF/dδ, K_max).
+  /// Returns F_c and the stiffness min(dF/dδ, K_max).
   ResponseValue evaluate(double deflection) const noexcept;
-  /// F_c/F, 0 to 1: the fraction of the whole force of a contact, friction included, that may
-  /// remain.
+  /// Returns F_c/F, 0 to 1. The whole force of the contact, including friction, is to be multiplied
+  /// by this fraction.
   double share(double deflection) const noexcept;
 
 private:
@@ -72,22 +74,24 @@ private:
     double second;
     double third;
 
-    /// Position of the zero, if the values at 0 and 1 have different signs.
+    /// Returns the position t of the zero, if the values at t = 0 and t = 1 have different signs.
     double root() const noexcept;
-    /// Position of an extremum with the opposite sign of both end values; 0 if there is none.
+    /// Returns the position t of an extremum whose sign differs from that of both end values; 0 if
+    /// there is no such extremum.
     double oppositeExtreme() const noexcept;
   };
 
   Place at(double root) const noexcept;
   Place atOnset(const Place& first) const noexcept;
   Slope slopeBetween(const Place& low, const Place& high) const noexcept;
-  /// The place without excess between two places whose excess has different signs.
+  /// Returns the point at which the excess is zero, between two points whose excess has different
+  /// signs.
   Place crossing(Place low, Place high) const noexcept;
-  /// F and dF/dδ at a deflection, capped.
+  /// Applies the limit to F and dF/dδ (`value`) at a deflection.
   ResponseValue cap(double deflection, ResponseValue value) const noexcept;
-  /// The force by which the cap reduces F at δ > 0, N.
+  /// Returns the force by which the limit of the stiffness reduces F at δ > 0, N.
   double lost(double deflection, double force) const noexcept;
-  /// lost() for a stiffness that only rises and is above K_max at δ.
+  /// As lost(), for a stiffness that only increases and exceeds K_max at δ.
   double lostByRise(double deflection, double force) const noexcept;
   double taken(const Place& from, double end, double forceThere) const noexcept
   {

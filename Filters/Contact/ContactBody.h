@@ -16,13 +16,13 @@
 
 namespace palpate
 {
-/// All data of a body that a tick needs: its surface, the search tree over it, the response at its
-/// points. Immutable once built; shared by any number of ToolContacts. It keeps no reference to its
-/// input data.
+/// All data of a body that a tick needs: the surface, the search tree for the surface, and the
+/// response at the points. Immutable; any number of ToolContacts can share it. It keeps no
+/// reference to its input data.
 struct ContactBody
 {
-  /// `points` (x, y, z each), `triangles` (three point indices each), and a response for every
-  /// point, in the same order.
+  /// `points` has x, y, z of each point, `triangles` three point indices per triangle. `responses`
+  /// has one response per point, in the order of the points.
   ContactBody(const double* points, std::size_t pointCount, const std::int32_t* triangles,
     std::size_t triangleCount, const ResponseArrays& responses, const BuildProgress& progress = {})
     : Shared(std::make_shared<const Shape>(
@@ -40,8 +40,8 @@ struct ContactBody
       progress(1.0);
     }
   }
-  /// A body that shares the surface of another body and has other responses. Sharp edges must have
-  /// an effect in both bodies or in neither.
+  /// Creates a body that shares the surface of `same` and has other responses. Sharp edges must
+  /// have an effect in both bodies or in neither.
   ContactBody(const ContactBody& same, const ResponseArrays& responses)
     : Shared(same.Shared)
     , surface(Shared->surface)
@@ -77,12 +77,12 @@ public:
   const PackedMesh& surface;
   const TriangleTree& tree;
   const ResponseField response;
-  const std::unique_ptr<const BodyEdges> edges;           ///< null: edges have no effect
-  const std::unique_ptr<const BodyRelaxation> relaxation; ///< null: nothing relaxes
-  const std::unique_ptr<const BodyCoupling> coupling;     ///< null: contacts are not coupled
-  const std::unique_ptr<const BodyTilt> tilt;             ///< null: tilts have no effect
+  const std::unique_ptr<const BodyEdges> edges;           ///< null if edges have no effect
+  const std::unique_ptr<const BodyRelaxation> relaxation; ///< null if the body does not relax
+  const std::unique_ptr<const BodyCoupling> coupling;     ///< null if contacts are not coupled
+  const std::unique_ptr<const BodyTilt> tilt; ///< null if the tilt of the tool has no effect
 
-  /// Prefetches the responses of a triangle.
+  /// Prefetches the responses at the corners of a triangle.
   void prefetchResponses(std::int32_t triangle) const noexcept
   {
     for (const std::int32_t corner : this->surface.corners(triangle))
@@ -102,7 +102,8 @@ public:
         this->prefetch(across);
       }
     }
-    // If a face is not certainly the nearest one, the tick checks the triangles around its corners.
+    // If the triangle is not certainly the nearest one, the tick checks the triangles around its
+    // corners.
     for (const std::int32_t corner : this->surface.corners(triangle))
     {
       this->surface.visitAround(

@@ -35,14 +35,15 @@ double longestEdge(const PackedMesh& mesh, std::int32_t triangle) noexcept
   return std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
-/// The nearest point found so far, and its triangle.
+/// The nearest point found so far and its triangle.
 struct Place
 {
   std::int32_t triangle;
   TriangleProjection projection;
 };
 
-/// Moves across the edge on which the projection lies if the triangle there is nearer.
+/// Moves to the neighbouring triangle across the edge on which the projection lies, if that
+/// triangle is nearer. Returns whether `place` has changed.
 bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const int edge = static_cast<int>(place.projection.feature) - 3;
@@ -60,7 +61,8 @@ bool crossEdge(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcep
   return true;
 }
 
-/// Moves to the nearest triangle around the corners if it is nearer than the present one.
+/// Moves to the nearest of the triangles around the corners if it is nearer than the current
+/// triangle. Returns whether `place` has changed.
 bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noexcept
 {
   const std::int32_t current = place.triangle;
@@ -103,7 +105,8 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
     }
     if (onFace && mesh.isCertainlyNearest(tip, place.triangle, place.projection))
     {
-      const double depth = std::sqrt(place.projection.squaredDistance); // the tip is inside
+      // Negative, because the tip is inside.
+      const double depth = std::sqrt(place.projection.squaredDistance);
       return { place.triangle, place.projection, -depth, false };
     }
     if (!searchAround(mesh, tip, place))
@@ -116,7 +119,8 @@ bool searchAround(const PackedMesh& mesh, const Vector3& tip, Place& place) noex
 
 std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
-  constexpr int crossings = 16; // 2 mm over 0.3 mm triangles: more than a hand moves in a tick
+  // Corresponds to about 2 mm with triangles of 0.3 mm, more than a hand moves in one tick.
+  constexpr int crossings = 16;
   const Vector3 local = this->Mesh.toLocal(tip);
   std::int32_t triangle = this->Last.triangle;
   for (int i = 0; i < crossings && triangle >= 0; ++i)
@@ -144,7 +148,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
     const SurfacePoint facet = follow(this->Mesh, tip, triangle);
     if (facet.triangle < 0)
     {
-      return {}; // the tip moved too far: search the whole body
+      return {}; // the tip moved too far; the caller searches the whole body
     }
     if (facet.triangle != triangle)
     {
@@ -162,7 +166,7 @@ std::int32_t ContactTracker::triangleAhead(const Vector3& tip) const noexcept
 {
   if (this->Smooth)
   {
-    // Start at the point to which the contact should have moved with the tip, to first order.
+    // Starts at the point to which the contact moves with the tip to first order.
     return this->touch(tip, this->Last.triangle,
       this->Last.projection.weights + this->Last.weightGradients.transpose() * (tip - this->Tip));
   }

@@ -9,30 +9,33 @@
 namespace palpate
 {
 /**
- * The force that has an energy. Let the tip be in contact at area coordinates n_i and depth δ,
- * where the curves of the corners have the forces f_i(δ) and the work e_i(δ) = ∫₀^δ f_i. Then
+ * The force as the negative gradient of an energy. Let the contact point have the area coordinates
+ * n_i and the tip the depth δ. At depth δ the curves of the corners have the forces f_i(δ) and the
+ * work e_i(δ) = ∫₀^δ f_i. Then
  *   E = Σ n_i e_i,   F = -∇E = Σ n_i f_i n - Σ e_i ∇n_i,
- * because ∇δ = -n, where n points from the tip to the contact point (the surface's outward normal).
- * A force along the normal alone lacks the second sum. With different responses, pressing at one
- * point and unloading at another would then gain the difference of their e. As Σ ∇n_i = 0, the
- * second sum vanishes for equal responses. Only with both terms in exactly this form, no closed
- * path of a tip within one contact gains or loses energy. The direction of F is not continuous: the
- * ∇n_i jump across edges, and the second sum jumps with them, by the second differences of e.
+ * because ∇δ = -n, where n is the unit vector from the tip to the contact point (the surface's
+ * outward normal). A force along the normal alone lacks the second sum. With different responses,
+ * pressing at one point and unloading at another would then gain the difference of the works e. As
+ * Σ ∇n_i = 0, the second sum vanishes for equal responses. Only with both sums in exactly this form
+ * does no closed path of a tip within one contact gain or lose energy. The direction of F is not
+ * continuous: the ∇n_i jump across edges, and the second sum jumps with them by the second
+ * differences of e.
  */
 struct EnergyGradient
 {
-  /// Column i: ∇n_i on the triangle abc as the tip moves, 1/mm. It is in the plane of the triangle
-  /// while the closest point is on the face, along the edge while it is on an edge, and zero while
-  /// it is at a corner.
+  /// Column i is ∇n_i on the triangle abc with respect to the tip's position, 1/mm. It is in the
+  /// plane of the triangle if the closest point is on the face, along the edge if it is on an edge,
+  /// and zero if it is at a corner.
   static Eigen::Matrix3d facetWeightGradients(
     TriangleFeature feature, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
-  /// The normal and gradients at the point of a mesh closest to a tip; tip and point are in one
-  /// frame.
+  /// Returns the point of a mesh closest to a tip, with its normal and gradients. The tip and the
+  /// point must be in the same frame.
   static ContactPlace onFacet(
     const PackedMesh& mesh, const Vector3& tip, const SurfacePoint& surface) noexcept;
 
-  /// Σ e_i ∇n_i, N. Element i of `energies` is e_i; a constant common to all three has no effect.
+  /// Returns Σ e_i ∇n_i, N. Element i of `energies` is e_i, N mm. A constant added to all three
+  /// energies has no effect.
   static Vector3 ofEnergies(
     const Eigen::Matrix3d& weightGradients, const Vector3& energies) noexcept
   {

@@ -19,8 +19,8 @@ std::uint64_t aligned(std::uint64_t offset)
   return (offset + Header::Alignment - 1) / Header::Alignment * Header::Alignment;
 }
 
-/// FNV-1a over 64-bit words (Fowler, Noll, Vo), and over the remaining bytes one by one. It detects
-/// damage, not attacks.
+/// FNV-1a hash (Fowler, Noll, Vo) over 64-bit words, and over the remaining bytes one by one. It
+/// detects damaged files, not attacks.
 class Checksum
 {
 public:
@@ -49,7 +49,8 @@ private:
   std::uint64_t Value = 0xcbf29ce484222325ULL;
 };
 
-/// Checksum over the sections and the header, in which the checksum itself counts as 0.
+/// Returns the checksum over the sections and the header. The member for the checksum itself counts
+/// as 0.
 std::uint64_t checksumOf(const std::array<const void*, Header::SectionCount>& data, Header header)
 {
   const auto sizes = header.sectionSizes();
@@ -102,7 +103,7 @@ Header makeHeader(const FlatBody& body)
 
 FlatBody view(const Header& header, const unsigned char* file)
 {
-  const auto sizes = header.sectionSizes(); // the offset of an empty section is arbitrary
+  const auto sizes = header.sectionSizes(); // an empty section may have any offset
   const auto at = [&](Header::Section section) -> const void*
   { return sizes[section] > 0 ? file + header.offset(section) : nullptr; };
   FlatBody body;

@@ -14,46 +14,48 @@
 
 namespace palpate
 {
-/// A body with one response as views of flat arrays. mm, N.
+/// A body with one response, as views of flat arrays in mm and N.
 struct FlatBody
 {
   std::size_t points = 0;
   std::size_t triangles = 0;
-  const double* coordinates = nullptr;   ///< 3 per point
-  const std::int32_t* corners = nullptr; ///< 3 per triangle, counter-clockwise from outside
+  const double* coordinates = nullptr;   ///< 3 values per point
+  const std::int32_t* corners = nullptr; ///< 3 per triangle, counter-clockwise as seen from outside
   ResponseArrays response;               ///< response at the same points
-  const float* validity = nullptr;       ///< 1 per point
-  const std::uint8_t* limit = nullptr;   ///< 1 per point
-  std::string tool;                      ///< for parseTool
+  const float* validity = nullptr;       ///< 1 value per point
+  const std::uint8_t* limit = nullptr;   ///< 1 value per point
+  std::string tool;                      ///< specification of the tool for parseTool()
   std::string model;
   int modelParts = 0; ///< sum of ModelPart
 };
 
 /**
  * A body file: a header, then the arrays of a FlatBody, each aligned to 64 bytes, in the byte order
- * of the machine. The file is mapped into memory instead of being read. It serves loops without
- * VTK, and as a cache.
+ * of the machine. The file is mapped into memory instead of being read. It is used by servo loops
+ * without VTK, and as a cache.
  *
  * Header (see FlatBodyHeader.h): magic "PALPATE", format version, byte-order mark, size of the
- * file, checksum of header and arrays, counts, and the start of each array. Files that are
- * truncated, of another kind or byte order, damaged, or of a newer format are refused with a
- * reason; no file is loaded in part. Older formats are read: format 1 has no model parts (they are
- * derived from the text of the model), format 2 no EdgeTerms, format 3 no RelaxationTerms, format 4
- * no CouplingTerms and no tilts.
+ * file, checksum of header and arrays, counts, and the start of each array. A file is refused with
+ * a reason if it is truncated, damaged, of another kind or byte order, or of a newer format; no
+ * file is loaded in part. Older formats can be read: format 1 has no model parts (they are derived
+ * from the text of the model), format 2 no EdgeTerms, format 3 no RelaxationTerms, format 4 no
+ * CouplingTerms and no tilts.
  */
 class PALPATE_EXPORT FlatBodyFile
 {
 public:
   static constexpr std::uint32_t Version = 5;
 
-  /// Writes a new file, then replaces an old one by it, so that a failure leaves the old file
-  /// unchanged. Returns an error that names the file, or "".
+  /// Writes a new file, then replaces an existing file by it, so that a failure leaves the existing
+  /// file unchanged. Returns a message that names the file on failure, else "".
   static std::string write(const std::string& path, const FlatBody& body);
 
-  /// Maps a file. Returns an error that names the file and its fault, or "".
+  /// Maps a file. On failure, returns a message with the name of the file and its fault; otherwise
+  /// returns "".
   std::string open(const std::string& path);
 
-  /// The content; its pointers are valid until the next open() or the end of this object.
+  /// Returns the content of the file. Its pointers are valid until the next open() or the end of
+  /// this object.
   const FlatBody& body() const noexcept { return this->Body; }
 
 private:
@@ -61,7 +63,8 @@ private:
   FlatBody Body;
 };
 
-/// Makes a kernel body from a copy of `body`, whose memory may be freed afterwards.
+/// Creates a body for the servo tick from a copy of `body`. The memory of `body` may be freed
+/// afterwards.
 PALPATE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(const FlatBody& body);
 } // namespace palpate
 

@@ -15,7 +15,7 @@
 namespace palpate
 {
 /// The first bytes of a FlatBodyFile. The layout is fixed: a change may only append members, and
-/// must raise the version.
+/// must increase the version.
 struct FlatBodyHeader
 {
   static constexpr std::array<char, 8> Magic = { 'P', 'A', 'L', 'P', 'A', 'T', 'E', '\0' };
@@ -51,13 +51,13 @@ struct FlatBodyHeader
   static constexpr std::size_t LaterSectionCount = CouplingKnots;
   using Sections = std::array<std::uint64_t, SectionCount>;
 
-  /// The parts of a relaxation that a file may have in addition to the series.
+  /// Parts of the relaxation terms that a file may contain in addition to the series.
   enum RelaxationPart : std::int32_t
   {
     LocalPart = 1,
     ElasticPart = 2
   };
-  /// The parts of a coupling that a file may have in addition to one modulus.
+  /// Parts of the coupling terms that a file may contain in addition to a single modulus.
   enum CouplingPart : std::int32_t
   {
     KnotsPart = 1,
@@ -73,59 +73,61 @@ struct FlatBodyHeader
   std::uint64_t points;
   std::uint64_t triangles;
   std::int32_t samples;
-  std::int32_t laws; ///< 0: per point; k: compact
+  /// 0 if each point has a separate curve; k > 0 if curves are combinations of k laws.
+  std::int32_t laws;
   double exponent;
-  /// Offsets from the start of the file; 0: the section is absent.
+  /// Offsets from the start of the file; 0 if the section is absent.
   std::array<std::uint64_t, FirstSectionCount> firstOffset;
   std::array<char, 128> tool; ///< ends with '\0'
   std::array<char, 128> model;
   std::int64_t modelParts; ///< since format 2
-  /// EdgeTerms, since format 3: exponent (0 if there are none), radius, Poisson's ratio, extent,
-  /// and 1 if edges are in the curves.
+  /// EdgeTerms, since format 3: exponent (0 if there are no terms), radius, Poisson's ratio,
+  /// extent, and 1 if the curves contain the effect of edges.
   std::array<double, 5> edges;
-  /// RelaxationTerms, since format 4: branches, sum of RelaxationPart, p_i, τ_i, exponent and
-  /// contact radius.
+  /// RelaxationTerms, since format 4: number of branches, sum of RelaxationPart, p_i, τ_i, exponent
+  /// and contact radius.
   std::int32_t branches;
   std::int32_t relaxationParts;
   std::array<double, PronySeries::LargestCount> strength;
   std::array<double, PronySeries::LargestCount> time;
   std::array<double, 2> contact;
   std::array<std::uint64_t, LaterSectionCount - FirstSectionCount> laterOffset;
-  /// CouplingTerms, since format 5: sum of CouplingPart, modes, E* and thickness.
+  /// CouplingTerms, since format 5: sum of CouplingPart, number of modes, E* and thickness.
   std::int32_t couplingParts;
   std::int32_t couplingModes;
   std::array<double, 2> coupling;
   /// TiltTerms, since format 5: range, largest tilt and scale of the drop; numbers of depths,
-  /// angles, drops, and laws (0 if there are none); and 1 if the points have weights.
+  /// angles, drops and laws (0 if there are no terms); and 1 if each point has weights.
   std::array<double, 3> tiltNumbers;
   std::array<std::int32_t, 4> tiltCounts;
   std::int64_t tiltWeights;
   std::array<std::uint64_t, SectionCount - LaterSectionCount> latestOffset;
 
-  /// Reads the header of a file of at least SmallestSize bytes; members that an older format lacks
-  /// are 0.
+  /// Reads the header of a file of at least SmallestSize bytes. Members that do not exist in an
+  /// older format are set to 0.
   static FlatBodyHeader read(const unsigned char* file, std::size_t size);
 
-  /// Bytes of the header in a file of the version of this header.
+  /// Returns the size of the header in bytes, in a file of the version of this header.
   std::size_t size() const;
   std::uint64_t& offset(std::size_t section);
   std::uint64_t offset(std::size_t section) const;
-  /// Bytes of each section, computed from the counts.
+  /// Returns the size of each section in bytes, computed from the counts.
   Sections sectionSizes() const;
 
   void setEdges(const EdgeTerms& terms);
   EdgeTerms edgeTerms() const;
   void setRelaxation(const RelaxationTerms& terms);
-  /// The terms without the arrays per point.
+  /// Returns the relaxation terms without the arrays per point.
   RelaxationTerms relaxationTerms() const;
   void setCoupling(const CouplingTerms& terms);
-  /// The terms without the arrays.
+  /// Returns the coupling terms without the arrays.
   CouplingTerms couplingTerms() const;
 
   void setTilt(const TiltViews& tilt);
   TiltTerms tiltTerms() const;
 
-  /// The reason why a file of `fileBytes` bytes with this header cannot be used, or "".
+  /// Returns the reason why a file of `fileBytes` bytes with this header cannot be used; "" if it
+  /// can be used.
   std::string fault(std::uint64_t fileBytes) const;
 
 private:

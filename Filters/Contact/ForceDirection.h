@@ -15,22 +15,23 @@
 namespace palpate
 {
 /**
- * Direction of the normal force in a force form, and the ratio of the normal force to the
- * derivative of the work by the depth.
+ * Direction of the normal force in a ForceForm, and the ratio of the normal force to the derivative
+ * of the work with respect to the depth.
  */
 struct ForceDirection
 {
-  Vector3 normal = Vector3::Zero(); ///< unit, outward; not finite if there is no direction
-  double ratio = 1.0; ///< the force divided by the derivative of the work: 1 except in Paper
+  Vector3 normal = Vector3::Zero(); ///< unit vector, outward; not finite if there is no direction
+  /// The force divided by the derivative of the work; 1 except for ForceForm::Paper.
+  double ratio = 1.0;
 
-  /// The direction for a contact whose curves have the force `upright` (N) at its depth. `out` is a
-  /// vector of any length out of the body (ToolContact::vectorToContact).
+  /// Returns the direction for a contact whose curves have the force `upright` (N) at its depth.
+  /// `out` is a vector of any length that points out of the body (ToolContact::vectorToContact).
   static ForceDirection of(ForceForm form, const ResponseField& response,
     const TriangleCorners& corners, const Pressed& at, double upright, const Vector3& out) noexcept;
 
-  /// A force without its part against `out` (which need not have unit length). On a thin fin the
-  /// normals of the vertices can point into the body; so can the normal of a face beyond its
-  /// border.
+  /// Returns a force without its component against `out`, which need not have unit length. The
+  /// normals of the vertices can point into the body on a thin fin, and the normal of a face can do
+  /// so beyond the border of the face.
   static Vector3 outwardPart(const Vector3& force, const Vector3& out) noexcept
   {
     const double along = force.dot(out);
@@ -38,7 +39,7 @@ struct ForceDirection
   }
 
 private:
-  /// A direction without its part against `out`; `out` if nothing remains.
+  /// Returns a direction without its component against `out`, or `out` if nothing remains.
   static Vector3 outward(const Vector3& direction, const Vector3& out) noexcept
   {
     constexpr double rounding = 1e-12; // fraction of the squared length
@@ -47,9 +48,9 @@ private:
       direction.dot(out) < 0.0 && !(part.squaredNorm() > rounding * direction.squaredNorm());
     return isAgainst ? out.normalized() : part;
   }
-  /// 1/√x.
+  /// Returns 1/√x.
   static double inverseRoot(double x) noexcept;
-  /// Σ n_i factor_i U_i.
+  /// Returns Σ n_i factor_i U_i, where n_i are the weights and U_i the normals at the corners.
   static Vector3 sumOfNormals(const ResponseField& response, const TriangleCorners& corners,
     const Vector3& weights, const Vector3& factors) noexcept
   {
@@ -63,17 +64,18 @@ private:
   }
 };
 
-// The square of a sum of nearly parallel normals is near 1. There the series is exact to rounding
-// and saves a tick the latency of a root and a division.
+// The squared length of a sum of nearly parallel unit normals is near 1. Near 1 the series is exact
+// to rounding, and is faster than a square root and a division.
 inline double ForceDirection::inverseRoot(double x) noexcept
 {
-  constexpr double little = 0.01; // its eighth power, times 0.2, is 2e-17
+  // The first omitted term of the series is 0.2 little⁸, that is 2e-17.
+  constexpr double little = 0.01;
   const double e = 1.0 - x;
   if (!(std::abs(e) < little))
   {
     return 1.0 / std::sqrt(x);
   }
-  // The terms are grouped in pairs that are independent of each other.
+  // The terms are grouped in independent pairs, which the processor can evaluate in parallel.
   const double e2 = e * e;
   const double low = (1.0 + 1.0 / 2 * e) + e2 * (3.0 / 8 + 5.0 / 16 * e);
   const double high = (35.0 / 128 + 63.0 / 256 * e) + e2 * (231.0 / 1024 + 429.0 / 2048 * e);
@@ -100,9 +102,9 @@ inline ForceDirection ForceDirection::of(ForceForm form, const ResponseField& re
     sum = outwardPart(sumOfNormals(response, corners, weights, forces), out);
     direction.ratio = sum.norm() / upright;
   }
-  if (sum.isZero(0.0)) // another form, or Paper's force is zero
+  if (sum.isZero(0.0)) // the form is not Paper, or its force is zero
   {
-    // The normal of a smooth surface differs from that of the facet.
+    // On a smooth surface the normal differs from the interpolated normals of the facet.
     sum = outward(
       place.isSmooth ? place.normal : sumOfNormals(response, corners, weights, Vector3::Ones()),
       out);

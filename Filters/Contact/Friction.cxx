@@ -24,11 +24,13 @@ bool isValid(const FrictionSettings& settings)
 }
 
 constexpr int MostPieces = 40;
-constexpr double LongestPiece = 1.0 / 8.0; ///< fraction of z_max
-constexpr double LastBit = 0.005; ///< largest distance from the limit, as a fraction of z_max
-constexpr double Ahead = 0.1;     ///< largest ratio of the parts of z across and along the path
+constexpr double LongestPiece = 1.0 / 8.0; ///< largest length of a piece, as a fraction of z_max
+/// Largest distance from the limit for slideOn(), as a fraction of z_max.
+constexpr double LastBit = 0.005;
+/// Largest ratio of the components of z across and along the path for slideOn().
+constexpr double Ahead = 0.1;
 constexpr double AtLimit = 1.0 - 1e-9;
-constexpr double Shortest = 1e-150; ///< mm; the square of a z_max of this size is not 0
+constexpr double Shortest = 1e-150; ///< mm; the square of this z_max is still greater than 0
 
 double eighthPower(double square)
 {
@@ -124,14 +126,15 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return { -this->Stiffness * this->Z, sliding };
 }
 
-/// Handles the usual step of a sliding contact: z is at the limit of the last load, moves a short
-/// distance to the limit of this load (or is clipped to it), and is then dragged. Only the angle θ
-/// from the path to z changes. The arguments of roots and divisions are known before the load of
-/// this tick; the load enters by a factor near 1, which is evaluated by its series.
+/// Handles the usual step of a sliding contact. z is at the limit of the last load, moves a short
+/// distance to the limit of the present load (or is clipped to it), and is then dragged. Only the
+/// angle θ from the path to z changes. The arguments of square roots and divisions are known before
+/// the load of this tick. The load only enters through a factor near 1, which is evaluated as a
+/// series.
 ///
-/// The short distance is one step with the creep at its middle, in polar coordinates d|z|/dx = (1 -
-/// α|z|) cos θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order in
-/// the distance.
+/// The short distance is one midpoint step of the creep equations in polar coordinates: d|z|/dx =
+/// (1 - α|z|) cos θ, dθ/dx = -sin θ/|z|. Errors are of second order in the angle and of third order
+/// in the distance.
 [[gnu::hot]] bool ElastoPlasticFriction::slideOn(
   const StraightStep& step, double longest, double inverse) noexcept
 {
@@ -150,15 +153,15 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
     const double half = 0.5 * missing;
     const double middle = 1.0 - half;
     const double w = eighthPower(middle * middle) - this->Breakaway8;
-    // The length of the path times cos θ, from d|z|/dx = (1 - α|z|) cos θ.
+    // The length of the path multiplied by cos θ, from d|z|/dx = (1 - α|z|) cos θ.
     const double bit = missing * (1.0 + w * this->InverseWidth8);
     left -= bit * (longest * (size / z.x()));
     if (!(left >= 0.0 && std::abs(slope) <= Ahead && size >= this->Breakaway * longest))
     {
       return false;
     }
-    // Series for half the turn, and for the tangent of the sum of both half angles, whose divisor
-    // is 1 - both.
+    // Series for half the change of θ, and for the tangent of the sum of the two half angles, which
+    // has the divisor 1 - both.
     const double turn = -0.5 * bit * slope * (1.0 + half) * (1.0 + half * half);
     const double both = tangent * turn;
     tangent = (tangent + turn * (1.0 - turn * turn)) * (1.0 + both * (1.0 + both));
@@ -170,7 +173,7 @@ ElastoPlasticFriction::ElastoPlasticFriction(const FrictionSettings& settings) n
   return true;
 }
 
-/// Moves along the path until z is at the limit. Returns the remaining length.
+/// Moves z along the path until z is at the limit. Returns the remaining length of the path.
 double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) const noexcept
 {
   double squared = z.squaredNorm();
@@ -182,7 +185,7 @@ double ElastoPlasticFriction::creep(Vector2& z, double longest, double length) c
     double reached = next.squaredNorm();
     if (reached > longest * longest)
     {
-      // z would exceed the limit: a secant finds the part of the piece up to the limit.
+      // z would exceed the limit: a secant step finds the fraction of the piece up to the limit.
       const double before = std::sqrt(squared);
       piece *= (longest - before) / (std::sqrt(reached) - before);
       next = this->rungeKutta(z, longest, piece);

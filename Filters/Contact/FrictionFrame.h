@@ -16,19 +16,19 @@ using Vector2 = Eigen::Vector2d;
 
 /**
  * The displacement of one tick as a straight piece of a path, and the exact change of a pre-sliding
- * displacement z along a path of any length.
+ * displacement z along a straight path of any length.
  *
  * In the coordinates (along, across) of the path, z changes in two phases. Inside a circle it
- * follows the path, z' = (1, 0), and leaves the circle forwards. On the circle, |z| = limit, the
- * contact is dragged: z' = (1, 0) - cos θ z/|z|, where θ is the angle from the path to z. That
- * curve is the tractrix: tan(θ/2) falls by exp(-length/limit).
+ * follows the path, z' = (1, 0), until it leaves the circle on the front side. On the circle, |z| =
+ * limit, the contact is dragged: z' = (1, 0) - cos θ z/|z|, where θ is the angle from the path to
+ * z. The resulting curve is the tractrix: tan(θ/2) falls by the factor exp(-length/limit).
  */
 class StraightStep
 {
 public:
-  /// No displacement.
+  /// Creates a step without displacement.
   StraightStep() = default;
-  /// Along `direction`, which may have any length except 0; `length` in mm.
+  /// A displacement along `direction`, which may have any length except 0. `length` is in mm.
   StraightStep(const Vector2& direction, double length) noexcept
     : Length(length)
     , Direction(direction * (1.0 / direction.norm()))
@@ -55,14 +55,14 @@ public:
       this->Direction.y() * z.x() + this->Direction.x() * z.y() };
   }
 
-  /// Moves z along the path as long as z points against the path or is within the circle. From
-  /// outside the circle, z moves to the point where the path is closest to the centre. Returns the
-  /// remaining length.
+  /// Moves z along the path until z leaves the circle on the front side. If the path does not meet
+  /// the circle, z moves to the point of the path closest to the centre. Returns the remaining
+  /// length.
   static double moveFreely(Vector2& z, double radius, double length) noexcept
   {
     if (z.x() >= 0.0 && z.squaredNorm() >= radius * radius)
     {
-      return length; // saves the square root for a sliding contact
+      return length; // shortcut for a sliding contact, without the square root
     }
     const double inside = radius * radius - z.y() * z.y();
     const double free = (inside > 0.0 ? std::sqrt(inside) : 0.0) - z.x();
@@ -71,7 +71,7 @@ public:
     return length - moved;
   }
 
-  /// Moves z along the tractrix, from a point of the circle's front half.
+  /// Moves z along the tractrix, from a point on the front half of the circle.
   static void drag(Vector2& z, double limit, double length) noexcept
   {
     const double tangent = z.y() == 0.0 ? 0.0 : z.y() / (limit + z.x()) * decay(length / limit);
@@ -79,16 +79,17 @@ public:
     z = Vector2(scale * (1.0 - tangent * tangent), scale * 2.0 * tangent);
   }
 
-  /// e^-x. For the small x of a tick, Taylor's polynomial is exact to rounding. Its coefficients
-  /// are in the code, while the library's function reads a table from memory.
+  /// Returns e^-x. For the small x of a tick, Taylor's polynomial is exact to rounding. Its
+  /// coefficients are in the code, whereas the library's function reads a table from memory.
   static double decay(double x) noexcept
   {
-    constexpr double little = 0.25; // x^12/12! is 1e-16
+    constexpr double little = 0.25; // the first omitted term, x^12/12!, is 1e-16
     if (!(x < little))
     {
       return std::exp(-x);
     }
-    // The terms are grouped by four; the groups are independent of each other.
+    // The terms are grouped by four in independent groups, which the processor can evaluate in
+    // parallel.
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double low = (1.0 - x) + x2 * (1.0 / 2 - x * (1.0 / 6));
@@ -98,7 +99,7 @@ public:
     return low + x4 * (middle + x4 * high);
   }
 
-  /// Shortens z to the length `limit`.
+  /// Shortens z to at most the length `limit`.
   static void clip(Vector2& z, double limit) noexcept
   {
     const double squared = z.squaredNorm();
@@ -123,45 +124,47 @@ struct TangentialForce
 };
 
 /**
- * A tangent frame that moves with the contact point, so that the history along the surface can be
+ * A tangent frame that moves with the contact point, so that a tangential displacement can be
  * stored in two numbers.
  *
- * Parallel transport: from one tick to the next the frame undergoes the smallest rotation that
- * brings the last normal to the new one. On the surface, a vector with constant components neither
- * turns nor changes its length. On a closed path it turns by the integral of the curvature inside
- * (on a sphere, the solid angle). No trigonometry is needed; the way back reverses the rotation.
+ * Parallel transport: from one tick to the next the frame undergoes the smallest rotation that maps
+ * the last normal to the new one. A vector with constant components then neither turns within the
+ * surface nor changes its length. On a closed path it turns by the integral of the curvature inside
+ * the path (on a sphere, by the solid angle). No trigonometry is needed. On the way back the
+ * rotation is reversed.
  *
  * Displacement over the surface: its direction is that of the chord from the last contact point,
  * with components averaged over the two frames (on a circular arc this is exactly the direction of
- * the arc). Its length is that of the arc that has this chord and turns as much as the normals:
- * 5e-7 too short at 0.3 rad per tick, 0.8 % at a right angle. The part of the chord along the
- * normals only lengthens the displacement, to at most twice its length: a contact that moves along
- * its normal has no displacement.
+ * the arc). Its length is that of a circular arc over this chord whose tangent rotates by the angle
+ * between the two normals. This length is 5e-7 too short at 0.3 rad per tick and 0.8 % too short at
+ * a right angle. The component of the chord along the normals only lengthens the displacement, to
+ * at most twice its length: a contact that moves along its normal has no displacement.
  *
- * There is no smallest rotation between normals more than 177 degrees apart: the history ends.
+ * Between normals more than 177 degrees apart the smallest rotation is not defined; the history
+ * ends.
  */
 class PALPATE_EXPORT FrictionFrame
 {
 public:
-  /// Forgets the last contact.
+  /// Ends the history. The next advance() starts the frame at its point.
   void reset() noexcept { this->Started = false; }
 
-  /// Moves to the next contact: `point` on the undeformed surface, mm; `normal` unit. Returns
-  /// whether the frame was transported from the last contact. If not, the frame starts at `point`
-  /// with displacement 0.
+  /// Moves the frame to the next contact. `point` is on the undeformed surface, mm; `normal` is a
+  /// unit vector. Returns whether the frame was transported from the last contact. If not, the
+  /// frame starts at `point` with displacement 0.
   bool advance(const Vector3& point, const Vector3& normal) noexcept;
 
-  /// The displacement of the last advance, mm, in this frame.
+  /// Returns the displacement of the last advance(), mm, in the coordinates of this frame.
   const StraightStep& step() const noexcept { return this->Step; }
 
   bool isStarted() const noexcept { return this->Started; }
 
-  /// The tangent part of a vector in space, in this frame.
+  /// Returns the tangential part of a vector in space, in the coordinates of this frame.
   Vector2 toTangent(const Vector3& vector) const noexcept
   {
     return { vector.dot(this->First), vector.dot(this->Second) };
   }
-  /// The vector in space of a tangent vector in this frame.
+  /// Returns a tangent vector of this frame as a vector in space.
   Vector3 toSpace(const Vector2& tangent) const noexcept
   {
     return tangent.x() * this->First + tangent.y() * this->Second;
@@ -180,7 +183,7 @@ private:
     this->Second = normal.cross(this->First);
     this->Step = StraightStep();
   }
-  /// (φ/2)/sin(φ/2) from cos φ: arcsin s/s = 1 + s²/6 + 3s⁴/40 + ... with s = sin(φ/2).
+  /// Returns (φ/2)/sin(φ/2) from cos φ: arcsin s/s = 1 + s²/6 + 3s⁴/40 + ... with s = sin(φ/2).
   static double arcOfChord(double cosine) noexcept
   {
     const double squared = 0.5 * (1.0 - cosine);
@@ -194,8 +197,8 @@ private:
   Vector3 Second = Vector3::Zero();
   StraightStep Step;
 };
-// The values for the displacement are computed first, in independent scalar products, because the
-// rest of a tick depends only on them.
+// The values for the displacement are computed first, as independent scalar products, because the
+// rest of a tick depends only on these values.
 [[gnu::hot]] inline bool FrictionFrame::advance(
   const Vector3& point, const Vector3& normal) noexcept
 {
@@ -205,7 +208,8 @@ private:
     this->start(point, normal);
     return false;
   }
-  // An axis e becomes e - (n·e)/(1 + cos φ) (n + n'), with n the new and n' the old normal.
+  // An axis e of the frame becomes e - (n·e)/(1 + cos φ) (n + n'), where n is the new normal and n'
+  // the old one.
   const Vector3 chord = point - this->Point;
   const Vector3 normals = this->Normal + normal;
   const double share = 1.0 / (1.0 + cosine);
@@ -217,7 +221,8 @@ private:
   const double seen = along.squaredNorm();
   if (seen > 0.0)
   {
-    // LargestStretch times the length of the tangential chord, which is |along|/2.
+    // Longest permitted displacement: LargestStretch times the length of the tangential chord,
+    // which is |along|/2. The variable holds its square.
     const double longest = 0.25 * LargestStretch * LargestStretch * seen;
     const double arc = std::sqrt(std::min(chord.squaredNorm(), longest)) * arcOfChord(cosine);
     this->Step = StraightStep(along, arc);
@@ -226,8 +231,8 @@ private:
   {
     this->Step = StraightStep();
   }
-  // Corrects rounding, which would accumulate: projection on the plane, and one Newton step for 1/√
-  // to unit length.
+  // Corrects rounding errors, which would otherwise accumulate: projects the axis on the plane, and
+  // scales it to unit length by one Newton step for 1/√.
   const Vector3 turned = this->First - (share * first) * normals;
   const double unit = 1.5 - 0.5 * turned.squaredNorm();
   this->First = unit * (turned - normal.dot(turned) * normal);

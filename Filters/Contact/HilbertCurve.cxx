@@ -15,7 +15,7 @@ namespace
 {
 constexpr unsigned Bits = 16;
 
-/// Distributes the 16 bits of x over every third bit.
+/// Moves the 16 bits of x to every third bit of the result.
 std::uint64_t spread(std::uint64_t x) noexcept
 {
   x = (x | (x << 32)) & 0x00FF00000000FFFFULL;
@@ -27,7 +27,8 @@ std::uint64_t spread(std::uint64_t x) noexcept
 }
 constexpr double LastCell = (1U << Bits) - 1;
 
-/// Sorts blocks, one per core, then merges them. The result does not depend on the number of cores.
+/// Sorts one block per core, then merges the blocks. The result does not depend on the number of
+/// cores.
 template <class Item>
 void sortInBlocks(std::vector<Item>& items)
 {
@@ -58,7 +59,8 @@ Eigen::Vector3d centroid(const std::int32_t* corner, const float* coordinates)
 
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> cell) noexcept
 {
-  // From the highest bit to the second lowest: the lower bits are inverted or exchanged.
+  // Processes the bits from the highest to the second lowest: the lower bits are inverted or
+  // exchanged.
   for (std::uint32_t bit = 1U << (Bits - 1); bit > 1; bit >>= 1)
   {
     const std::uint32_t lower = bit - 1;
@@ -95,7 +97,7 @@ void sortAlongCurve(
   {
     return;
   }
-  // The minimum keeps the scale finite if all triangles are at one point, to avoid 0 times
+  // The minimum keeps the scale finite if all triangles are at one point, and avoids 0 times
   // infinity.
   const double scale =
     std::min(LastCell / box.sizes().maxCoeff(), std::numeric_limits<double>::max());

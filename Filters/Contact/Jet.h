@@ -7,18 +7,20 @@
 namespace palpate
 {
 /**
- * The work of a pressed tool, or a factor of this work, with derivatives.
+ * The work of a pressed tool or a factor of this work, with its derivatives.
  *
- * Each effect on the contact (tilt, edges, border) is one factor with its own derivatives. The
- * derivatives of the product follow from the product rule, for any combination of effects.
+ * Each effect on the contact (tilt, edges, border) is one factor with its own derivatives.
+ * operator*= applies the product rule, for any combination of effects.
  */
 struct Jet
 {
-  double value = 1.0;        ///< work in N mm; a factor has no unit
-  double byDepth = 0.0;      ///< first derivative by the depth: of a work the force, N
-  double byDepthTwice = 0.0; ///< second derivative by the depth: of a work the stiffness, N/mm
-  double byTilt = 0.0;       ///< derivative by the tilt at constant depth: of a work N mm per rad
-  /// Gradient by the position of the tip at constant depth and tilt, per mm; of a work N.
+  double value = 1.0;   ///< a work in N mm, or a factor without unit
+  double byDepth = 0.0; ///< first derivative with respect to the depth; for a work: the force, N
+  /// Second derivative with respect to the depth; for a work: the stiffness, N/mm.
+  double byDepthTwice = 0.0;
+  /// Derivative with respect to the tilt at constant depth; for a work: N mm per rad.
+  double byTilt = 0.0;
+  /// Gradient with respect to the tip's position at constant depth and tilt, 1/mm; for a work: N.
   Eigen::Vector3d byPlace = Eigen::Vector3d::Zero();
 
   Jet& operator*=(const Jet& factor) noexcept

@@ -23,15 +23,15 @@ struct alignas(CacheLine) SharedPage
 };
 
 std::mutex Guard;
-SharedPage* Open = nullptr; ///< the page from which the next block is taken
+SharedPage* Open = nullptr; ///< the page from which the next block is allocated
 
 std::size_t roundedUp(std::size_t bytes, std::size_t unit) noexcept
 {
   return (bytes + unit - 1) / unit * unit;
 }
 
-/// Large pages are off with the address sanitizer, which finds accesses outside a vector only in
-/// ordinary memory.
+/// Large pages are disabled with the address sanitizer, because it detects accesses outside a
+/// vector only in ordinary memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool IsMapped = false;
 #elif defined(__has_feature)
@@ -61,12 +61,13 @@ void* ordinary(std::size_t bytes)
   return memory;
 }
 
-/// Maps memory directly from the system. malloc may return memory that is already divided into
-/// small pages.
+/// Maps memory directly from the system, because malloc may return memory that is already divided
+/// into small pages.
 void* ownPages(std::size_t bytes)
 {
   const std::size_t size = roundedUp(bytes, PageSize);
-  const std::size_t asked = size + PageSize; // contains an aligned block of `size`
+  // Large enough to contain an aligned block of `size` bytes.
+  const std::size_t asked = size + PageSize;
   void* memory = mmap(nullptr, asked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
   {
@@ -79,7 +80,7 @@ void* ownPages(std::size_t bytes)
     munmap(first, before);
   }
   munmap(first + before + size, PageSize - before);
-  madvise(first + before, size, MADV_HUGEPAGE); // only advice; without it the memory is slower
+  madvise(first + before, size, MADV_HUGEPAGE); // only a hint; without it the memory is slower
   return first + before;
 }
 
@@ -131,7 +132,7 @@ void LargePageMemory::giveBack(void* memory, std::size_t bytes) noexcept
   }
   else if (static_cast<char*>(memory) + size == reinterpret_cast<char*>(page) + page->used)
   {
-    page->used -= size; // the newest block: its memory can be used again
+    page->used -= size; // the block is the newest one, so that its memory can be used again
   }
 }
 } // namespace palpate

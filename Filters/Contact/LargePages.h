@@ -9,22 +9,22 @@
 
 namespace palpate
 {
-/// Memory in 2 MiB pages, if possible. A servo tick that reads at random in a few hundred megabytes
-/// then misses the cache, but not the translation of addresses (TLB). Smaller blocks share a page,
-/// also those of different bodies; such a page is freed with its last block. Blocks of less than 4
-/// KiB are ordinary memory. Blocks are aligned to 64 bytes; thread-safe.
+/// Memory in 2 MiB pages, if possible. A servo tick reads at random in a few hundred megabytes.
+/// With large pages it misses the cache, but not the translation lookaside buffer (TLB). Smaller
+/// blocks share a page, also blocks of different bodies; such a page is freed with its last block.
+/// Blocks of less than 4 KiB are in ordinary memory. Blocks are aligned to 64 bytes. Thread-safe.
 class PALPATE_EXPORT LargePageMemory
 {
 public:
   static constexpr std::size_t PageSize = std::size_t{ 1 } << 21;
 
-  /// Allocates; throws std::bad_alloc.
+  /// Allocates memory; throws std::bad_alloc on failure.
   static void* take(std::size_t bytes);
-  /// Frees memory of take(); `bytes` as given to take().
+  /// Frees memory returned by take(). `bytes` must be the value given to take().
   static void giveBack(void* memory, std::size_t bytes) noexcept;
 };
 
-/// The allocator of LargePageMemory for containers of the standard library.
+/// Allocator for containers of the standard library that uses LargePageMemory.
 template <class Value>
 class LargePages
 {
@@ -61,8 +61,8 @@ public:
 template <class Value>
 using LargeVector = std::vector<Value, LargePages<Value>>;
 
-/// Prefetches a cache line; any address is allowed. Without the empty asm statement g++ treats a
-/// function that only prefetches as one without effect and omits its calls.
+/// Prefetches a cache line. Any address is allowed. The empty asm statement is needed because g++
+/// omits calls of a function that only prefetches, as one without effect.
 inline void prefetchLine(const void* memory) noexcept
 {
   __builtin_prefetch(memory);

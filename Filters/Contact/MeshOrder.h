@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// Copies `width` values per point of the input into the order of the mesh's points; the result is
-/// empty if `values` is null.
+/// Copies an array with `width` values per point from the order of the input to the order of the
+/// mesh's points. The result is empty if `values` is null.
 inline LargeVector<float> inMeshOrder(
   const float* values, std::size_t width, const PackedMesh& mesh)
 {

@@ -19,18 +19,20 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestCaps = 0.25;   ///< (area of caps)/(area of the part), for a solid
-constexpr double LargestGap = 0.01;    ///< (area of caps)/(area of the part), for a closed part
-constexpr double LargestScrap = 0.1;   ///< (area)/(total area), for a part that may be left out
-constexpr double LargestDebris = 1e-6; ///< (volume)/(volume of the solid around it)
-constexpr double LeastVolume = 1e-9;   ///< (volume)/area^1.5; larger for a sheet of 1 µm by 1 m
+constexpr double LargestCaps = 0.25; ///< largest (area of caps)/(area of the part) of a solid
+constexpr double LargestGap = 0.01;  ///< largest (area of caps)/(area of the part) of a closed part
+constexpr double LargestScrap = 0.1; ///< largest (area)/(total area) of a part that may be left out
+/// Largest (volume)/(volume of the solid around it) of debris.
+constexpr double LargestDebris = 1e-6;
+/// Least (volume)/area^1.5 of a solid; a sheet of 1 µm by 1 m has a larger value.
+constexpr double LeastVolume = 1e-9;
 
 struct Part
 {
   std::size_t first; ///< position of its first triangle in Parts::Order
   std::size_t count;
   double area = 0.0;   ///< mm²
-  double volume = 0.0; ///< mm³, with caps over its holes
+  double volume = 0.0; ///< mm³, with the holes closed by caps
   double caps = 0.0;   ///< mm², area of the caps
   Eigen::AlignedBox3d box = {};
 
@@ -93,7 +95,7 @@ private:
   {
     return { this->place(corners[0]), this->place(corners[1]), this->place(corners[2]) };
   }
-  /// `around`: the solids that contain the part.
+  /// Checks and orients part i. `around` are the solids that contain the part.
   void orientPart(std::size_t i, const std::vector<std::size_t>& around, OrientedParts& result)
   {
     const Part& part = this->All[i];
@@ -119,15 +121,15 @@ private:
     }
   }
 
-  /// Whether a kept solid that is wound outward is too small to be a body inside the solid around
-  /// it.
+  /// Returns whether a kept solid that is wound outward is too small to be a separate body inside
+  /// the solid around it.
   bool isDebris(const Part& part, const Part& around) const
   {
     return this->isKept(part) && part.volume > 0.0 &&
       part.volume <= LargestDebris * std::abs(around.volume);
   }
 
-  /// Whether the part is neither empty nor a copy of another part.
+  /// Returns whether the part has triangles and is not a copy of another part.
   bool isKept(const Part& part) const
   {
     const auto seed = static_cast<std::size_t>(this->Order[part.first]);
@@ -194,7 +196,7 @@ private:
       });
   }
 
-  /// Visits the corners of the triangles that close the holes of a part.
+  /// Calls visit() for the corners of the triangles that close the holes of a part.
   template <class Visit>
   void forCaps(const Part& part, const Visit& visit) const
   {
@@ -246,7 +248,7 @@ private:
     this->forTriangles(part, [](TriangleCorners& corners) { corners[0] = -1; });
   }
 
-  /// Returns the walls that two solids share; copies of parts are left out of the mesh.
+  /// Leaves out copies of parts. Returns the triangles of the walls that two solids share.
   std::vector<std::int32_t> findWalls()
   {
     if (this->All.size() < 2)
@@ -300,8 +302,8 @@ private:
       });
   }
 
-  /// Calls visit(one, other) once for each pair of parts whose boxes meet. The sweep is along the
-  /// axis on which the parts are spread most.
+  /// Calls visit(one, other) once for each pair of parts whose boxes intersect. The sweep is along
+  /// the axis on which the extent of the parts is largest.
   template <class Visit>
   void forMeetingBoxes(const Visit& visit) const
   {
@@ -323,7 +325,7 @@ private:
     std::stable_sort(parts.begin(), parts.end(),
       [&](std::size_t a, std::size_t b)
       { return this->All[a].box.min()[axis] < this->All[b].box.min()[axis]; });
-    std::vector<std::size_t> open; // parts whose boxes extend to the current one
+    std::vector<std::size_t> open; // parts whose boxes overlap the current one along the axis
     for (const std::size_t i : parts)
     {
       const Eigen::AlignedBox3d& box = this->All[i].box;
@@ -385,7 +387,7 @@ private:
   const TriangleLinks& Links;
   std::vector<std::int32_t> Order; ///< triangles, part by part
   std::vector<Part> All;
-  std::vector<bool> IsWall; ///< for each triangle; empty: no triangle is a wall
+  std::vector<bool> IsWall; ///< one value for each triangle; empty if no triangle is a wall
   mutable std::unordered_map<std::size_t, TriangleColumns> Columns;
 };
 } // namespace

@@ -11,13 +11,14 @@ namespace palpate
 {
 namespace
 {
-/// One side of an edge, in the direction in which its triangle is wound.
+/// One side of an edge, with the direction given by the winding of its triangle.
 struct EdgeUse
 {
   std::int32_t low;
   std::int32_t high;
   std::int32_t triangle;
-  bool rising; ///< whether the side goes from the low point to the high one
+  /// Whether the side runs from the point with the lower index to that with the higher index.
+  bool rising;
 };
 
 struct Link
@@ -26,7 +27,8 @@ struct Link
   bool agrees;
 };
 
-/// For each edge of each triangle the other triangle, if the edge has two triangles; else -1.
+/// For each edge of each triangle: the other triangle at the edge, or -1 if the edge does not have
+/// exactly two triangles.
 std::vector<std::array<Link, 3>> linkByEdges(const std::vector<TriangleCorners>& triangles)
 {
   std::vector<EdgeUse> uses;
@@ -184,7 +186,8 @@ void joinEmptyEdges(
 
 void followJoints(std::vector<std::int32_t>& first)
 {
-  for (std::int32_t& point : first) // first[point] <= point is already final
+  // First[point] <= point; the entry at first[point] is already final.
+  for (std::int32_t& point : first)
   {
     point = first[static_cast<std::size_t>(point)];
   }

@@ -40,8 +40,8 @@ Entry entryOf(const TriangleCorners& corners, std::size_t triangle)
   return made;
 }
 
-/// The triangles at edges of more than two triangles, and pairs that share all three edges. All
-/// copies are among these triangles.
+/// Returns the triangles at edges with more than two triangles, and pairs that share all three
+/// edges. Any copy of a triangle is among these triangles.
 std::vector<Entry> candidates(
   const std::vector<TriangleCorners>& triangles, const TriangleLinks& links)
 {
@@ -66,7 +66,8 @@ Edge edgeOf(const TriangleCorners& corners, std::size_t e)
   return std::minmax(corners[e], corners[(e + 1) % 3]);
 }
 
-/// Patches of triangles that also occur with their reverse; one of each pair is in `doubtful`.
+/// Patches of triangles that also occur with the reverse winding; one triangle of each pair is in
+/// `doubtful`.
 class Patches
 {
 public:
@@ -85,7 +86,7 @@ public:
     }
   }
 
-  /// Leaves out the patches that fill no hole.
+  /// Leaves out the patches that do not fill a hole.
   void dropFlaps(Repeats& repeats)
   {
     std::set<std::int32_t> seen;
@@ -96,9 +97,10 @@ public:
         continue;
       }
       std::vector<std::int32_t> patch{ seed };
-      // Number of edges with one other triangle, minus the number of all other edges.
+      // Number of edges with exactly one other triangle, minus the number of all other edges.
       int filled = 0;
-      int walled = 0; // number of edges with several other triangles, minus that of edges with none
+      // Number of edges with several other triangles, minus the number of edges with none.
+      int walled = 0;
       for (std::size_t i = 0; i < patch.size(); ++i)
       {
         const TriangleCorners corners = this->corners(patch[i]);
@@ -130,7 +132,7 @@ private:
   {
     return this->Triangles[static_cast<std::size_t>(triangle)];
   }
-  /// Number of triangles at an edge that are not doubtful.
+  /// Number of triangles at an edge that are not in `doubtful`.
   std::ptrdiff_t othersAt(const Edge& edge) const
   {
     const auto around = this->Links.around(edge.first);
@@ -175,7 +177,7 @@ void mergeRepeats(
 void dropFlaps(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats)
 {
-  // Joining points can have removed a doubtful triangle.
+  // A doubtful triangle may have been removed when points were joined.
   for (auto each = repeats.doubtful.begin(); each != repeats.doubtful.end();)
   {
     const bool isLeftOut = triangles[static_cast<std::size_t>(*each)][0] < 0;

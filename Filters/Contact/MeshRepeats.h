@@ -11,23 +11,26 @@
 
 namespace palpate
 {
-/// Triangles that occur more than once.
+/// Triangles that occur more than once, also with the reverse winding.
 struct Repeats
 {
-  std::size_t copies = 0;          ///< left out; one triangle with the same corners is kept
-  std::set<std::int32_t> doubtful; ///< triangles that were kept although their reverse occurred
+  /// Number of triangles left out; one triangle with the same corners is kept.
+  std::size_t copies = 0;
+  /// Triangles that were kept although the reverse triangle occurred.
+  std::set<std::int32_t> doubtful;
   std::size_t flaps = 0;  ///< number of `doubtful` triangles left out because they enclose nothing
   std::size_t sheets = 0; ///< number of these flaps that are not walls between two solids
 };
 
-/// Leaves out all triangles with the same corners except the first; sets their first corner to -1.
+/// Of all triangles with the same corners, keeps the first. Sets the first corner of the others to
+/// -1.
 void mergeRepeats(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats);
 
 /// Leaves out the triangles of `doubtful`, patch by patch, unless the patch fills a hole. A patch
 /// fills a hole if more than half of its outer edges have exactly one other triangle. The other
-/// patches are flaps, as at the seams of merged scans, or walls, whose edges have two or more other
-/// triangles.
+/// patches are flaps, as at the seams of merged scans, or walls, whose edges have at least two
+/// other triangles.
 void dropFlaps(
   std::vector<TriangleCorners>& triangles, const TriangleLinks& links, Repeats& repeats);
 } // namespace palpate

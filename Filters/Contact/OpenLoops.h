@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Open edges of a surface, connected to loops by their common points.
+/// Open edges of a surface, connected into loops at their common points.
 class OpenLoops
 {
 public:
@@ -21,7 +21,7 @@ public:
     const std::int32_t one = this->rootOf(from);
     this->Above[one] = this->rootOf(to);
   }
-  /// Calls visit(from, to, centre of the loop) for each edge.
+  /// Calls visit(from, to, centre of the edge's loop) for each edge.
   template <class Place, class Visit>
   void visit(const Place& place, const Visit& visit)
   {

@@ -40,7 +40,8 @@ bool PackedMesh::isPlaneBeyond(
 {
   const Vector3 normal = this->areaNormal(triangle);
   const double height = normal.dot(tip - this->corner(triangle, 0));
-  // 1e-12: a triangle is skipped only if it is farther by more than rounding errors.
+  // The factor with 1e-12 ensures that a triangle is skipped only if it is farther away by more
+  // than the rounding error.
   return height * height > (1.0 + 1e-12) * squaredDistance * normal.squaredNorm();
 }
 
@@ -65,7 +66,7 @@ SurfacePoint PackedMesh::orient(
   found.triangle = triangle;
   found.projection = projection;
   const auto feature = static_cast<std::size_t>(projection.feature);
-  Vector3 normal; // not normalised
+  Vector3 normal; // normal of the closest feature, not normalised
   if (projection.feature == TriangleFeature::Face)
   {
     normal = this->areaNormal(triangle);

@@ -116,7 +116,7 @@ void PackedMesh::Builder::numberPoints(const SoundMesh& sound)
   }
   for (std::size_t i = 0; i < this->PointCount; ++i)
   {
-    numberOf(static_cast<std::int32_t>(i)); // points without triangles are last
+    numberOf(static_cast<std::int32_t>(i)); // the last numbers are for points without triangles
   }
   this->Coordinates.resize(sound.coordinates().size());
   for (std::size_t i = 0; i < inputs.size(); ++i)
@@ -140,7 +140,7 @@ void PackedMesh::Builder::findNeighbours(const SoundMesh& sound)
 void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
 {
   constexpr std::int32_t unseen = -1;
-  // The packed point of the first input point at each place.
+  // For each point, the index of the first point at the same position.
   std::vector<std::int32_t> packed(this->PointCount, unseen);
   this->Twins.resize(this->PointCount);
   for (std::size_t i = 0; i < this->PointCount; ++i)
@@ -159,7 +159,8 @@ void PackedMesh::Builder::joinPoints(const SoundMesh& sound)
     }
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      corners[0] = -1; // only two different corners: the neighbours of the triangle share this edge
+      // The triangle has only two different corners; its neighbours share this edge.
+      corners[0] = -1;
     }
   }
 }
@@ -185,7 +186,7 @@ void PackedMesh::Builder::packRings()
   };
   for (std::size_t point = 0; point < this->PointCount; ++point)
   {
-    if (this->twinOf(point) == point) // the first of its twins
+    if (this->twinOf(point) == point) // the point is the first of the points with its coordinates
     {
       pack(point);
     }
@@ -228,7 +229,7 @@ void PackedMesh::Builder::packRecords()
   this->Mesh.Found.borderEdges = borderEdges;
 }
 
-/// Angle-weighted sum of the normals of the triangles around a point.
+/// Returns the angle-weighted sum of the normals of the triangles around a point.
 Vector3 PackedMesh::Builder::sumOfNormals(std::size_t point) const
 {
   const Vector3 at = pointAt(this->Coordinates, static_cast<std::int32_t>(point));

@@ -13,13 +13,14 @@ namespace palpate
 {
 class CreaseCut;
 
-/// The slope at which the neighbours of a triangle fall below its plane, divided by twice its
-/// smallest altitude: the value that PackedMesh::isCertainlyNearest needs, 1/mm, rounded up;
-/// infinite if a neighbour is under the triangle.
+/// Returns the value that PackedMesh::isCertainlyNearest needs: the slope at which other triangles
+/// fall below the plane of a triangle, divided by twice the smallest altitude of the triangle,
+/// 1/mm, rounded up. Infinite if another triangle with a common corner lies under the triangle.
 float steepnessOf(const PackedMesh& mesh, std::int32_t triangle);
 
 /// Builds a PackedMesh in steps: repairs the triangles, sorts them along the curve, numbers the
-/// points in that order, finds neighbours, cuts creases, packs the arrays. Not installed.
+/// points in the order of the triangles, finds neighbours, cuts creases, and packs the arrays. This
+/// header is not installed.
 class PackedMesh::Builder
 {
 public:
@@ -61,13 +62,17 @@ private:
   const BuildProgress& Progress;
   const CreaseRule Creases;
   std::size_t PointCount = 0;
-  std::vector<float> Coordinates;         ///< local coordinates of the packed points
-  std::vector<std::int32_t> Order;        ///< input triangles: usable ones, then those without area
-  std::size_t Usable = 0;                 ///< number of usable triangles
-  std::vector<TriangleCorners> Triangles; ///< ordered as Order; corners are packed points
-  std::vector<std::int32_t> Twins; ///< the first point with the same coordinates; empty: no twins
-  std::vector<TriangleCorners> Joined;  ///< Triangles after twins are joined, if there are any
-  std::unique_ptr<TriangleLinks> Links; ///< links of joined()
+  std::vector<float> Coordinates; ///< local coordinates of the packed points
+  /// Indices of input triangles: first the usable ones, then those without area.
+  std::vector<std::int32_t> Order;
+  std::size_t Usable = 0; ///< number of usable triangles
+  /// In the order of Order; the corners are indices of packed points.
+  std::vector<TriangleCorners> Triangles;
+  /// For each point, the first point with the same coordinates; empty if all points differ.
+  std::vector<std::int32_t> Twins;
+  /// The triangles after points with the same coordinates were joined; empty if all points differ.
+  std::vector<TriangleCorners> Joined;
+  std::unique_ptr<TriangleLinks> Links; ///< links of the triangles of joined()
 };
 } // namespace palpate
 

@@ -11,17 +11,18 @@
 
 namespace palpate
 {
-/// The number of ranges of forRanges() for `count` items: one per thread, unless they would be
-/// small.
+/// Returns the number of ranges into which forRanges() divides `count` items: one per thread, or
+/// fewer if the ranges would be small.
 inline std::size_t rangeCount(std::size_t count)
 {
-  constexpr std::size_t smallest = 8192; // smaller ranges cost more than a thread saves
+  // For smaller ranges, starting a thread costs more time than it saves.
+  constexpr std::size_t smallest = 8192;
   return std::max<std::size_t>(1, std::min(threadCount(), count / smallest));
 }
 
-/// Calls body(first, last) for contiguous ranges that cover 0..count, each on its own thread. For
-/// building, not for the servo tick. `body` must not throw, and must not write where another range
-/// writes.
+/// Calls body(first, last) for contiguous ranges that cover 0..count, each on its own thread. Used
+/// to build bodies, not in the servo tick. `body` must not throw, and must not write to memory that
+/// is used for another range.
 template <class Body>
 void forRanges(std::size_t count, const Body& body)
 {

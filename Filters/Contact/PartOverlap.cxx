@@ -10,11 +10,11 @@ namespace palpate
 namespace
 {
 using Vector3 = Eigen::Vector3d;
+// Distance of the tested points from the surface, as a fraction of the size of the surface.
+constexpr double Away = 1e-5;
 
-constexpr double Away = 1e-5; // fraction of the size of the surface
-
-/// The k-th point of an even sequence on a triangle (Roberts' R2). No point is above an edge of a
-/// regular mesh.
+/// Returns the k-th point of a sequence that covers a triangle evenly (Roberts' R2). No point of
+/// the sequence is above an edge of a regular mesh.
 Vector3 placeOn(const std::array<Vector3, 3>& corners, std::size_t k)
 {
   const auto part = [k](double first, double step)

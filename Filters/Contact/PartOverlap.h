@@ -11,14 +11,18 @@
 
 namespace palpate
 {
-/// Fractions of a surface that are inside a solid and on the solid's surface (where only one of the
-/// two sides is inside), measured at points spread over the surface.
+/// Fractions of a surface that are inside a solid and on the surface of the solid, measured at
+/// points spread over the surface. A point is on the solid's surface if only one of its two sides
+/// is inside.
 struct PartOverlap
 {
-  static constexpr std::size_t Places = 4000; ///< number of points; at least half of it is tested
-  static constexpr double Least = 0.002;      ///< least fraction at which parts overlap or touch
+  /// Number of points; at least half of this number is tested.
+  static constexpr std::size_t Places = 4000;
+  /// Smallest fraction at which parts count as overlapping or touching.
+  static constexpr double Least = 0.002;
 
-  /// `size` is that of the surface, mm: its two sides are tested at a distance of 1e-5 of `size`.
+  /// `size` is the size of the surface, mm. The two sides of the surface are tested at a distance
+  /// of 1e-5 times `size`.
   PartOverlap(const std::vector<TriangleColumns::Corners>& surface, double size,
     const TriangleColumns& solid, const Eigen::AlignedBox3d& box);
 

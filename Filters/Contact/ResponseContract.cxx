@@ -26,7 +26,7 @@ struct ContactWords
   const char* remark;
 };
 
-// In the order of ContactState.
+// The texts for each ContactState, in the order of the enumeration.
 constexpr std::array<ContactWords, 7> Contacts = { { { "no contact", "" },
   { "contact, sticking", "" }, { "contact, sliding", "" },
   { "contact, beyond range", "Pressed deeper than the response reaches" },

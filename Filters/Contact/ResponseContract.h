@@ -23,37 +23,39 @@ enum class ResponseStatus : std::uint8_t
   NotFinite,
   Folded,
   OutOfReach,
-  Edge ///< interpolated from its neighbours; usable
+  Edge ///< the response is interpolated from the neighbours of the point; it can be used
 };
 
-/// The assumption of the law that breaks first at a point: the codes of the array `Limit`.
+/// The assumption of the law that breaks first at a point. These are the codes of the array
+/// `Limit`.
 enum class ResponseLimit : std::uint8_t
 {
-  None, ///< within Range
+  None, ///< the law holds up to Range
   Strain,
   Curvature,
   Thickness,
   OppositeWall,
   Edge,
   DataEnd,
-  Elements, ///< the finite elements by which the response was computed
-  Tilt      ///< tilt of the tool, on a body other than a half-space
+  Elements, ///< the finite elements from which the response was computed
+  Tilt      ///< tilt of the tool on a body other than a half-space
 };
 constexpr std::size_t ResponseLimitCount = 9;
 
-/// Name of the limit: "strain", "layer thickness"; "" for 0 and for unknown codes. The text is
-/// static.
+/// Returns the name of a limit: "strain", "layer thickness"; "" for 0 and for unknown codes. The
+/// text is static.
 PALPATE_EXPORT const char* limitInWords(int code) noexcept;
 
-/// Name of the assumption: "small strain", "a flat surface"; "" for 0 and for unknown codes. The
-/// text is static.
+/// Returns the name of an assumption: "small strain", "a flat surface"; "" for 0 and for unknown
+/// codes. The text is static.
 PALPATE_EXPORT const char* assumptionInWords(int code) noexcept;
 
-/// Name of a ContactState: "contact, sliding"; "unknown" for unknown codes. The text is static.
+/// Returns the name of a ContactState: "contact, sliding"; "unknown" for unknown codes. The text is
+/// static.
 PALPATE_EXPORT const char* contactInWords(int state) noexcept;
 
-/// A remark about a ContactState: a sentence without its full stop; "" for a normal contact. The
-/// text is static.
+/// Returns a remark about a ContactState: a sentence without its full stop; "" for a normal
+/// contact. The text is static.
 PALPATE_EXPORT const char* contactRemark(int state) noexcept;
 
 /// The parts of a response's model; their sum is in the array `ModelParts`. The text `Model`
@@ -62,16 +64,16 @@ enum ModelPart : int
 {
   HalfSpacePart = 1,
   LayerPart = 2,
-  GlobalCompliancePart = 4, ///< in series: the global compliance of the body
+  GlobalCompliancePart = 4, ///< the global compliance of the body, in series
   SpringPart = 8,           ///< a spring at each point, independent of the tool
-  StackPart = 16,           ///< layers on each other
+  StackPart = 16,           ///< several layers on each other
   FiniteStrainPart = 32,
   CurvaturePart = 64, ///< the body's curvature
-  TrueShapePart = 128 ///< finite elements of the whole body, under each point
+  TrueShapePart = 128 ///< finite elements of the whole body, for each point
 };
 
-/// Derives the model parts of a response that was saved without them from its text `Model`; 0:
-/// unknown.
+/// Derives the model parts of a response that was saved without them from its text `Model`. Returns
+/// 0 if they are unknown.
 PALPATE_EXPORT int modelPartsOfText(const std::string& model);
 
 /// The arrays of a response, in the order of the table.
@@ -120,10 +122,10 @@ enum class ResponseArray : std::uint8_t
   Direct
 };
 
-/// One array of a response. Its name is the response's name followed by `suffix`.
+/// One array of a response. Its name is the name of the response followed by `suffix`.
 struct ContractArray
 {
-  /// Point data, or field data.
+  /// Whether the array is point data or field data.
   enum class Place : std::uint8_t
   {
     Points,
@@ -157,17 +159,17 @@ struct ContractArray
   /// Purpose of the array.
   enum class Use : std::uint8_t
   {
-    Evaluation, ///< evaluation, in both forms
-    PerPoint,   ///< evaluation if each point has a separate curve
-    Compact,    ///< evaluation where curves are combinations of laws
-    Trust,      ///< the depth to which the law holds
+    Evaluation, ///< needed to evaluate curves in both forms
+    PerPoint,   ///< needed to evaluate curves if each point has a separate curve
+    Compact,    ///< needed to evaluate curves that are combinations of laws
+    Trust,      ///< the depth up to which the law holds
     Words,      ///< texts that describe the response
-    Edges,      ///< contacts over sharp edges; may be absent
-    Relaxation, ///< relaxation of the body; may be absent
-    Coupling,   ///< the coupling of contacts; may be absent
-    Tilt,       ///< the effect of tilting the tool; may be absent
+    Edges,      ///< terms for contacts over sharp edges; may be absent
+    Relaxation, ///< terms for the relaxation of the body; may be absent
+    Coupling,   ///< terms for the coupling of contacts; may be absent
+    Tilt,       ///< terms for the effect of tilting the tool; may be absent
     Layers,     ///< the layers under each point, for the displacement field; may be absent
-    Remark      ///< how a filter chose, reduced or compared the response; may be absent
+    Remark      ///< texts about the choice, reduction or comparison of the response; may be absent
   };
 
   ResponseArray array;
@@ -247,14 +249,14 @@ constexpr const ContractArray& contractOf(ResponseArray array)
   return ResponseContract[place];
 }
 
-/// The name of an array of a response.
+/// Returns the name of an array of a response.
 inline std::string arrayName(const std::string& response, ResponseArray array)
 {
   return contractOf(array).named(response);
 }
 
-/// Number of components of a tuple of the array, for a response with these numbers of samples,
-/// laws, branches of the relaxation, modes of the body and laws of tilts.
+/// Returns the number of components of a tuple of the array, for a response with these numbers of
+/// samples, laws, branches of the relaxation, modes of the body, and laws of the table of tilts.
 constexpr int componentsOf(const ContractArray& array, int samples, int laws, int branches = 0,
   int modes = 0, int tiltLaws = 0)
 {

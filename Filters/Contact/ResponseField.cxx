@@ -207,7 +207,7 @@ double BlendedResponse::range() const noexcept
 std::array<ResponseValue, 3> BlendedResponse::evaluateEach(double deflection) const noexcept
 {
   std::array<ResponseValue, 3> values;
-  ResponseSampling::Place at; // range 0 differs from that of any curve
+  ResponseSampling::Place at; // its range 0 differs from that of any curve
   for (std::size_t k = 0; k < 3; ++k)
   {
     if (this->Weights[static_cast<Eigen::Index>(k)] == 0.0)
@@ -231,7 +231,7 @@ Vector3 BlendedResponse::energies(double deflection) const noexcept
   {
     return Vector3::Zero();
   }
-  // A corner of weight 0 is included: its weight is about to change.
+  // A corner of weight 0 is included, because its weight is about to change.
   Vector3 energies(this->Field.energy(p[0], deflection), this->Field.energy(p[1], deflection),
     this->Field.energy(p[2], deflection));
   const double blend = this->Weights.dot(energies);

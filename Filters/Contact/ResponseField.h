@@ -23,10 +23,11 @@ class ResponseField;
 class RisingStiffness;
 
 /**
- * The response arrays of a body. The views do not own their memory. There are two forms: per point
- * (force and stiffness, n floats per point), or compact (laws k >= 1: `basis` of k rows of n forces
- * then n stiffnesses, `coefficient` of k floats per point, curve = Σ_k coefficient_k basis_k). In
- * both forms, each point has a normal (3 floats), a range (1 float) and a status (1 byte).
+ * The response arrays of a body. The views do not own their memory. There are two forms. In the
+ * form per point, force and stiffness have n floats per point. In the compact form with k >= 1
+ * laws, `basis` has k rows of n forces followed by n stiffnesses, `coefficient` has k floats per
+ * point, and the curve is Σ_k coefficient_k basis_k. In both forms, each point has a normal (3
+ * floats), a range (1 float) and a status (1 byte).
  */
 struct ResponseArrays
 {
@@ -41,15 +42,16 @@ struct ResponseArrays
   const float* normal = nullptr;
   const float* range = nullptr;
   const std::uint8_t* status = nullptr;
-  EdgeTerms edges;            ///< for contacts over sharp edges; the same at all points
-  RelaxationTerms relaxation; ///< if the body relaxes
-  CouplingTerms coupling;     ///< if contacts on the body are coupled
-  TiltViews tilt;             ///< the effect of tilting the tool, if known
-  /// A field whose curves are multiples of these curves; null: none. Whether the stiffness rises is
-  /// taken from this field. The field is only used during construction.
+  EdgeTerms edges;            ///< terms for contacts over sharp edges; the same at all points
+  RelaxationTerms relaxation; ///< terms for the relaxation of the body
+  CouplingTerms coupling;     ///< terms for the coupling of contacts on the body
+  TiltViews tilt;             ///< the effect of tilting the tool, if it is known
+  /// A field of which the curves of this response are multiples; null if there is none. The
+  /// information whether the stiffness increases is copied from this field. The field is only used
+  /// during construction.
   const ResponseField* multipleOf = nullptr;
 
-  /// The largest δ_max of all points, mm; 0 if no point has a response.
+  /// Returns the largest range δ_max of all points, mm; 0 if no point has a response.
   double longestRange() const noexcept
   {
     float longest = 0.0F;
@@ -71,15 +73,15 @@ struct ResponseArrays
 /**
  * A packed copy of a response for the servo tick: one record per point, in the order of the mesh's
  * points, so that a tick reads one block of memory per vertex. A record has 80 bytes with 8
- * samples. In the compact form it has 16 bytes plus 4 per law, or only 16 if all points share one
- * law and its coefficient. Immutable, safe from any number of threads.
+ * samples. In the compact form it has 16 bytes plus 4 bytes per law, or only 16 bytes if all points
+ * share one law and its coefficient. Immutable; can be used from any number of threads.
  */
 class PALPATE_EXPORT ResponseField
 {
 public:
-  /// With a mesh, the records have the order of the mesh's points, and the arrays have the order of
-  /// the mesh's input; without a mesh, both have the order of the arrays. Points on creases of the
-  /// mesh use the mesh's normals.
+  /// With a mesh, the records are in the order of the mesh's points, and the arrays are in the
+  /// order of the mesh's input. Without a mesh, both are in the order of the arrays. For points on
+  /// creases of the mesh, the normals of the mesh are used.
   explicit ResponseField(const ResponseArrays& arrays, const PackedMesh* mesh = nullptr);
 
   std::size_t pointCount() const noexcept { return this->Points; }
@@ -87,7 +89,7 @@ public:
 
   /// Whether the point has a response.
   bool isValid(std::int32_t point) const noexcept { return this->range(point) > 0.0; }
-  /// δ_max, mm; 0 if there is no response.
+  /// Returns the range δ_max, mm; 0 if the point has no response.
   double range(std::int32_t point) const noexcept { return this->record(point)[0]; }
   Vector3 normal(std::int32_t point) const noexcept
   {
@@ -95,14 +97,15 @@ public:
     return { head[1], head[2], head[3] };
   }
   ResponseValue evaluate(std::int32_t point, double deflection) const noexcept;
-  /// Evaluates at the position that sampling() found for the point's range.
+  /// Evaluates the curve at the position that sampling() has found for the point's range.
   ResponseValue evaluate(std::int32_t point, const ResponseSampling::Place& at) const noexcept;
 
-  /// F and K of sample `lower` and of the next one, blended over three points.
+  /// Returns F and K of sample `lower`, then F and K of the next sample, interpolated between three
+  /// points.
   Eigen::Vector4d blendSamples(
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
 
-  /// ∫₀^δ F, N mm; 0 for a point without response. O(samples).
+  /// Returns the work ∫₀^δ F, N mm; 0 for a point without response. Takes O(samples).
   double energy(std::int32_t point, double deflection) const noexcept;
   /// Whether two points have the same curve, bit for bit.
   bool haveSameCurve(std::int32_t point, std::int32_t other) const noexcept;
@@ -113,10 +116,10 @@ public:
     prefetchLine(this->record(point));
     prefetchLine(this->record(point) + this->Stride - 1);
   }
-  /// Whether the stiffness of every point's curve, and therefore of every blend, rises with the
-  /// deflection (RisingStiffness).
+  /// Returns whether the stiffness of every point's curve, and therefore of every interpolated
+  /// curve, increases with the deflection (RisingStiffness).
   bool hasRisingStiffness() const noexcept { return this->IsRising; }
-  /// Bytes held.
+  /// Returns the memory used, bytes.
   std::size_t memory() const noexcept { return this->Records.size() * sizeof(float); }
 
 private:
@@ -132,7 +135,7 @@ private:
     const TriangleCorners& points, const Vector3& weights, int lower) const noexcept;
   void shareCoefficient(const ResponseArrays& arrays);
   void pack(const ResponseArrays& arrays, std::size_t input, std::size_t point);
-  /// Whether the stiffness rises at the points from `first` to before `last`.
+  /// Returns whether the stiffness increases at all points from `first` to `last` - 1.
   bool areRising(const RisingStiffness& rising, std::size_t first, std::size_t last) const noexcept;
 
   ResponseSampling Sampling;
@@ -140,13 +143,14 @@ private:
   int Laws;
   std::size_t Stride;
   bool IsRising = false;
-  /// Per point: range (0: no response), normal, then force and stiffness of sample after sample, or
-  /// coefficients.
+  /// For each point: range (0 if it has no response), normal, then either force and stiffness of
+  /// each sample in turn, or the coefficients.
   LargeVector<float> Records;
   std::vector<float> Basis;
-  /// The coefficient if all points share one law and one coefficient, which the records then omit.
+  /// The coefficient, if all points share one law and one coefficient. The records then have no
+  /// coefficients.
   float Shared = 0.0F;
-  ResponseEnergy Energy; ///< the last member: a tick reads the others
+  ResponseEnergy Energy; ///< the last member, because a tick reads the other members
 };
 
 inline Eigen::Vector4d ResponseField::blendSamples(
@@ -166,11 +170,11 @@ inline Eigen::Vector4d ResponseField::blendSamples(
   return sum;
 }
 
-/// The curve of a contact: the curves of three points, blended by area coordinates.
+/// The curve of a contact: the curves of three points, interpolated with area coordinates.
 class PALPATE_EXPORT BlendedResponse
 {
 public:
-  /// Points of weight 0 have no effect; the others must have a response.
+  /// Points of weight 0 have no effect; the other points must have a response.
   BlendedResponse(
     const ResponseField& field, const TriangleCorners& points, const Vector3& weights) noexcept
     : Field(field)
@@ -179,9 +183,10 @@ public:
   {
   }
 
-  /// Blended δ_max, mm.
+  /// Returns the interpolated range δ_max, mm.
   double range() const noexcept;
-  /// Value of each point's curve; zero for points of weight 0. The deflection must be > 0.
+  /// Returns the value of each point's curve; zero for points of weight 0. The deflection must be >
+  /// 0.
   std::array<ResponseValue, 3> evaluateEach(double deflection) const noexcept;
   ResponseValue evaluate(double deflection) const noexcept
   {
@@ -190,30 +195,32 @@ public:
       ? sum
       : this->evaluateApart(deflection);
   }
-  /// ∫₀^δ F of each point, N mm, up to an additive constant common to all three: zeros if their
-  /// curves are the same. A point without response, which has weight 0, has the value of the blend.
+  /// Returns the work ∫₀^δ F of each point, N mm, up to an additive constant common to all three.
+  /// If the curves are the same, the values are zero. A point without response, which has weight 0,
+  /// has the work of the interpolated curve.
   Vector3 energies(double deflection) const noexcept;
-  /// ∫₀^δ F of the blend, N mm.
+  /// Returns the work ∫₀^δ F of the interpolated curve, N mm.
   double energy(double deflection) const noexcept;
 
-  /// Whether all three curves have the range `range`.
+  /// Returns whether all three curves have the range `range`.
   bool hasRange(double range) const noexcept
   {
     return this->Field.range(this->Points[0]) == range &&
       this->Field.range(this->Points[1]) == range && this->Field.range(this->Points[2]) == range;
   }
-  /// Whether the stiffness is known to rise with the deflection: true if it rises at all points of
-  /// the field.
+  /// Returns whether the stiffness is known to increase with the deflection: true if it increases
+  /// at all points of the field.
   bool hasRisingStiffness() const noexcept { return this->Field.hasRisingStiffness(); }
-  /// F and K of sample `lower` and of the next one, blended; for three curves of one range.
+  /// Returns F and K of sample `lower`, then F and K of the next sample, interpolated; for three
+  /// curves with the same range.
   Eigen::Vector4d samples(int lower) const noexcept
   {
     return this->Field.blendSamples(this->Points, this->Weights, lower);
   }
 
 private:
-  /// Evaluates the blended samples, which is sufficient if the three curves have one range;
-  /// otherwise returns false.
+  /// Evaluates the interpolated samples, which is only possible if the three curves have the same
+  /// range. Otherwise returns false.
   bool evaluateTogether(double deflection, ResponseValue& sum) const noexcept;
   ResponseValue evaluateApart(double deflection) const noexcept;
   bool areAlike() const noexcept

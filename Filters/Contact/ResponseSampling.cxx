@@ -39,8 +39,9 @@ struct Cubic
   long double c0, c1, c2, c3;
 };
 
-/// Integral over an interval of width h, which begins at h times `first`, of s^p times a cubic in
-/// t. Long double, because terms of the order of first³ cancel in the integration by parts.
+/// Returns the integral of s^p times a cubic in t over an interval of width h, which begins at h
+/// times `first`. Long double is used because terms of the order of first³ cancel in the
+/// integration by parts.
 long double integral(const Cubic& c, long double first, long double h, long double p)
 {
   const auto primitive = [&](long double t)
@@ -67,8 +68,8 @@ ResponseEnergy::ResponseEnergy(const ResponseSampling& sampling)
   const long double m = this->Exponent;
   const long double h = 1.0L / this->Samples;
   const auto weight = [&](int i) { return std::pow(h * i, -2.0L * m); };
-  // The force of a sample contributes through the value of ρ and, times -2m/s, through the slope;
-  // its stiffness contributes only through the slope.
+  // The force of a sample enters through the value of ρ and, with the factor -2m/s, through the
+  // slope of ρ. The stiffness of the sample enters only through the slope.
   const auto share = [&](long double value, long double slope, int i) -> Share
   {
     const long double s = h * i;

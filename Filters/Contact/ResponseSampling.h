@@ -11,8 +11,7 @@
 
 namespace palpate
 {
-/// A view of the samples of one point's curve as stored in arrays, for
-/// ResponseSampling::evaluate().
+/// View of the stored samples of one point's curve, for ResponseSampling::evaluate().
 struct FloatCurve
 {
   const float* forces;      ///< N
@@ -32,34 +31,34 @@ struct ResponseValue
 /**
  * Storage of a force-deflection curve in n samples, and its evaluation.
  *
- * Samples i = 1..n are at s_i = i/n, δ_i = δ_max s_i²; F(0) = 0 is not stored. Between samples
+ * Samples i = 1..n are at s_i = i/n, δ_i = δ_max s_i². F(0) = 0 is not stored. Between samples
  *   F(δ) = δ^m r(s), s = √(δ/δ_max),
- * where r is the cubic Hermite interpolant with values and slopes from the stored F_i and K_i =
- * dF/dδ. Below δ_1 the curve is the power F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 = 0). Beyond
- * δ_max it continues along its last tangent. The curve is continuously differentiable, and exact
- * for F ∝ δ^m.
+ * where r is the cubic Hermite interpolant whose values and slopes follow from the stored F_i and
+ * K_i = dF/dδ. Below δ_1 the curve is the power law F = F_1 (δ/δ_1)^q, q = K_1 δ_1/F_1 (0 if F_1 =
+ * 0). Beyond δ_max it continues along its last tangent. The curve is continuously differentiable,
+ * and exact for F ∝ δ^m.
  *
- * δ <= 0 results in 0, NaN in NaN. evaluate() neither allocates nor throws.
+ * For δ <= 0 the result is 0, for NaN it is NaN. evaluate() neither allocates nor throws.
  */
 class PALPATE_EXPORT ResponseSampling
 {
 public:
-  /// A larger number of samples is treated as a damaged file or a mistake.
+  /// Largest allowed number of samples. A larger number indicates a damaged file or a mistake.
   static constexpr int LargestCount = 256;
 
-  /// 2 to LargestCount samples; m > 0, finite.
+  /// `samples` is 2 to LargestCount; `exponent` is m > 0, finite.
   ResponseSampling(int samples, double exponent);
 
   int samples() const noexcept { return this->Samples; }
   double exponent() const noexcept { return this->Exponent; }
-  /// δ_i of sample i = 0..n-1 (i + 1 in the numbering above).
+  /// Returns δ_i, mm. Here i = 0..n-1, whereas it is 1..n in the description of the class.
   double depth(int i, double range) const noexcept
   {
     const double s = static_cast<double>(i + 1) / this->Samples;
     return range * (s * s);
   }
 
-  /// s^(2m), by products if 2m is a small whole number.
+  /// Returns s^(2m), computed by multiplications if 2m is a small whole number.
   double rootPower(double s) const noexcept
   {
     if (this->WholePower == 0)
@@ -74,20 +73,21 @@ public:
     return power;
   }
 
-  /// Position of a deflection among the samples. It is the same for all curves of one range, so
-  /// that it is computed once for the three vertices of a triangle.
+  /// Position of a deflection among the samples. It is the same for all curves with the same range,
+  /// so that it is computed once for the three vertices of a triangle.
   struct Place
   {
-    int lower = -1; ///< between samples `lower` and `lower + 1`; -1: below the first
+    /// The position is between samples `lower` and `lower + 1`; -1 if it is below the first sample.
+    int lower = -1;
     bool beyondRange = false;
     double deflection = 0.0;
     double range = 0.0;
     double inverseRoot = 0.0; ///< 1/s
     double root = 0.0;        ///< s
-    double share = 0.0;       ///< fraction of the way from sample `lower` to the next
+    double share = 0.0;       ///< position between sample `lower` (0) and the next sample (1)
   };
 
-  /// Finds the position of a deflection > 0; range > 0.
+  /// Finds the position of a deflection. Both `range` and `deflection` must be > 0.
   Place place(double range, double deflection) const noexcept
   {
     Place at;
@@ -101,7 +101,8 @@ public:
       at.share = 1.0;
       return at;
     }
-    // 1/s first: then one root and two independent divisions suffice for all values.
+    // 1/s is computed first, so that one square root and two independent divisions suffice for all
+    // values.
     at.inverseRoot = std::sqrt(range / deflection);
     at.root = deflection / range * at.inverseRoot;
     const double position = at.root * n;
@@ -111,13 +112,13 @@ public:
     return at;
   }
 
-  /// F, K of two neighbouring samples of a curve, or of a sum of curves.
+  /// F and K of two neighbouring samples of a curve or of a sum of curves.
   struct Samples2
   {
     double lowerForce, lowerStiffness, upperForce, upperStiffness;
   };
 
-  /// Evaluates at a position that is not below the first sample.
+  /// Evaluates the curve at a position that is not below the first sample.
   ResponseValue between(const Samples2& samples, const Place& at) const noexcept
   {
     if (at.deflection >= at.range)
@@ -167,9 +168,9 @@ private:
     return { value, q * value / deflection, false };
   }
 
-  /// With ρ(s) = F/s^(2m), the factor δ_max^m cancels; sample i holds ρ_i = w_i F_i and
-  /// dρ/ds = w_i (2 δ_max s_i K_i - 2m F_i/s_i), w_i = s_i^(-2m). Between two samples, at the
-  /// fraction t, ρ = ρ_0 + t (a + t (b + t c)).
+  /// With ρ(s) = F/s^(2m), the factor δ_max^m cancels. At sample i, ρ_i = w_i F_i and dρ/ds = w_i
+  /// (2 δ_max s_i K_i - 2m F_i/s_i), with w_i = s_i^(-2m). Between two samples, at the fraction t,
+  /// ρ = ρ_0 + t (a + t (b + t c)).
   ResponseValue hermite(const Samples2& samples, const Place& at) const noexcept
   {
     const Node* const nodes = this->Samples <= FewNodes ? this->Few.data() : this->Many.data();
@@ -205,25 +206,26 @@ private:
     double weight;  ///< s_i^(-2m)
     double ofForce; ///< -2m/s_i
   };
-  /// Up to this number, nodes are stored within the object, which saves the tick an indirection.
+  /// Up to this number of samples, nodes are stored within the object, which saves the tick an
+  /// indirection.
   static constexpr int FewNodes = 16;
   std::array<Node, FewNodes> Few{};
   std::vector<Node> Many;
 };
 
 /**
- * The work e(δ) = ∫₀^δ F of a stored response, N mm, for the curve of ResponseSampling. It is exact
- * except for rounding; the tick has no quadrature.
+ * The work e(δ) = ∫₀^δ F of a stored response, N mm, for a curve of ResponseSampling. It is exact
+ * except for rounding. No numerical quadrature is needed in a tick.
  *
- * The integral over a whole interval between samples is linear in the forces and stiffnesses, with
- * weights that depend only on n and m and are computed once, here. The last, partial interval is
- * integrated by parts:
- * with ρ the cubic of the interval and p = 2m + 1,
+ * The integral over a whole interval between samples is linear in the forces and stiffnesses. Its
+ * weights depend only on n and m and are computed once. The last, partial interval is integrated by
+ * parts. With the cubic ρ of the interval and p = 2m + 1,
  *   ∫ s^p ρ ds = s^(p+1) (ρ/(p+1) - s ρ'/((p+1)(p+2)) + s² ρ''/(…(p+3)) - s³ ρ'''/(…(p+4))).
- * Below δ_1 the power law gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which requires q > -1; beyond δ_max
+ * Below δ_1 the power law gives F_1 δ_1/(q+1) (δ/δ_1)^(q+1), which requires q > -1. Beyond δ_max
  * the last tangent is integrated.
  *
- * δ <= 0 results in 0, NaN in NaN. energy() takes O(n) and neither allocates nor throws.
+ * For δ <= 0 the result is 0, for NaN it is NaN. energy() takes O(n) time and neither allocates nor
+ * throws.
  */
 class PALPATE_EXPORT ResponseEnergy
 {
@@ -296,7 +298,8 @@ private:
     return this->toFirstSample(curve, range) + range * sum;
   }
 
-  /// Integral from sample i-1 to s, which is at the fraction t of the interval, 1 <= i < n.
+  /// Returns the integral from sample i-1 to s, where s is at the fraction t of the interval, 1 <=
+  /// i < n.
   template <class Curve>
   double partOfCell(const Curve& curve, double range, double s, double t, int i) const noexcept
   {
@@ -316,14 +319,15 @@ private:
     return 2.0 * range * (here - start);
   }
 
-  /// The expression in parentheses above; the derivatives are by t, x = s/h.
+  /// Evaluates the expression in parentheses in the description of the class. The derivatives d1 to
+  /// d3 of ρ are with respect to t; x = s/h.
   double byParts(double x, double rho, double d1, double d2, double d3) const noexcept
   {
     const double p = 2.0 * this->Exponent + 1.0;
     return (rho - x / (p + 2.0) * (d1 - x / (p + 3.0) * (d2 - x / (p + 4.0) * d3))) / (p + 1.0);
   }
 
-  /// ρ = s^(-2m) F and its slope, as in ResponseSampling.
+  /// ρ = s^(-2m) F and its slope with respect to s, as in ResponseSampling.
   struct Node
   {
     double position;

@@ -7,7 +7,8 @@ namespace
 {
 using Cubic = std::array<double, 4>; // polynomial in t, constant term first
 
-/// The cubic with the sign of dK/dδ, for the ρ of an interval that begins at `first` widths.
+/// Returns a cubic that has the sign of dK/dδ, for the cubic ρ of an interval that begins at
+/// `first` times the interval width.
 Cubic slopeOfStiffness(const Cubic& rho, double first, double p)
 {
   const double a = first;

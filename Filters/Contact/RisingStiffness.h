@@ -11,30 +11,30 @@
 namespace palpate
 {
 /**
- * Checks whether the stiffness of a stored curve, as ResponseSampling evaluates it, rises with the
- * deflection everywhere. Then the stiffness of every blend of such curves rises too, and equals a
- * given value only once (CappedResponse).
+ * Checks whether the stiffness of a stored curve, as ResponseSampling evaluates it, increases with
+ * the deflection everywhere. Then the stiffness of every weighted mean of such curves increases
+ * too, and equals a given value only once (CappedResponse).
  *
  * Between two samples dK/dδ has the sign of
  *   p(p-2) ρ + (2p-1) s ρ' + s² ρ'',  p = 2m,
- * a cubic in the fraction of the interval between them. Its Bernstein coefficients are linear in
- * the forces and stiffnesses of the two samples. If none of these coefficients is negative, the
- * cubic is not negative. (This condition is only sufficient: a rising curve may fail it and then
- * counts as not rising.) Below the first sample the power must be at least 1; beyond the last the
- * stiffness is constant.
+ * which is a cubic in the fraction of the interval. Its Bernstein coefficients are linear in the
+ * forces and stiffnesses of the two samples. If none of these coefficients is negative, the cubic
+ * is not negative. (This condition is only sufficient: a curve of increasing stiffness may fail it
+ * and is then treated as if its stiffness did not increase.) Below the first sample the power q
+ * must be at least 1. Beyond the last sample the stiffness is constant.
  *
- * Samples are floats: a decrease within their rounding is ignored.
+ * The samples are floats, so that a decrease within their rounding error is ignored.
  *
- * Constructed once per sampling and called once per point when a body is built: about 100 ns with 8
- * samples.
+ * Constructed once per sampling, and called once per point when a body is built. A call takes about
+ * 100 ns with 8 samples.
  */
 class RisingStiffness
 {
 public:
   explicit RisingStiffness(const ResponseSampling& sampling);
 
-  /// `curve.force(i)` and `curve.stiffness(i)` return the values of sample i = 0..n-1; range in mm,
-  /// > 0.
+  /// `curve.force(i)` and `curve.stiffness(i)` return the values of sample i = 0..n-1. `range` is
+  /// in mm, > 0.
   template <class Curve>
   bool isOf(const Curve& curve, double range) const noexcept
   {
@@ -64,10 +64,10 @@ public:
   }
 
 private:
-  /// Rounding of a sample as a float, plus that of the range.
+  /// Sum of the relative rounding errors of a sample and of the range as floats.
   static constexpr double Rounding = 1.2e-7;
-  /// The four Bernstein coefficients, each as four weights: of the force, of range times stiffness,
-  /// and of the same two values at the next sample.
+  /// The four Bernstein coefficients, each as four weights: of the force and of range times
+  /// stiffness at one sample, and of the same two values at the next sample.
   using Cell = std::array<std::array<double, 4>, 4>;
 
   double FirstDepth; ///< depth of the first sample divided by the range

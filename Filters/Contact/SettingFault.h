@@ -7,7 +7,8 @@
 
 namespace palpate
 {
-/// The name of a property in words, as on a panel: "Friction Coefficient", "Poisson's Ratio".
+/// Returns the name of a property in words, as in ParaView's property panel: "Friction
+/// Coefficient", "Poisson's Ratio".
 inline std::string settingInWords(const std::string& name)
 {
   if (name == "PoissonRatio")
@@ -23,13 +24,14 @@ inline std::string settingInWords(const std::string& name)
   return words;
 }
 
-/// A fault of one setting; none if the name is empty.
+/// A fault of one setting. If the name is empty, there is no fault.
 struct SettingFault
 {
-  std::string name;   ///< name of the filters' property, "FrictionCoefficient"
-  std::string remark; ///< "must be finite and not negative, but is -1"
+  std::string name;   ///< name of the property of the filters, "FrictionCoefficient"
+  std::string remark; ///< text such as "must be finite and not negative, but is -1"
 
-  /// The fault of a value that is not allowed; `demand` continues after "must": "be positive".
+  /// Returns the fault of a value that is not allowed. `demand` continues the phrase "must", for
+  /// example "be positive".
   template <class Value>
   static SettingFault must(const std::string& name, const std::string& demand, const Value& is)
   {
@@ -39,7 +41,8 @@ struct SettingFault
   }
 
   explicit operator bool() const noexcept { return !this->name.empty(); }
-  /// Name in words and remark as a clause, "Friction Coefficient must be …"; "" without fault.
+  /// Returns the name in words followed by the remark: "Friction Coefficient must be …"; "" if
+  /// there is no fault.
   std::string words() const
   {
     return *this ? settingInWords(this->name) + ' ' + this->remark : std::string();

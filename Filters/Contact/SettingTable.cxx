@@ -9,7 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// "be 0 (Facets) or 1 (Smooth)", "be finite and positive (N/mm)", "lie between 0 and 1".
+/// Returns the requirement for a setting: "be 0 (Facets) or 1 (Smooth)", "be finite and positive
+/// (N/mm)", "lie between 0 and 1".
 std::string demandOf(const SettingRow& row)
 {
   std::ostringstream demand;

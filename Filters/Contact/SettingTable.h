@@ -13,12 +13,13 @@
 
 namespace palpate
 {
-/// One of the values of an enumeration.
+/// Names of one value of an enumeration.
 struct SettingWord
 {
-  const char* name = nullptr;   ///< name of the enumerator, "NormalizedDirection"; null: unused
+  /// Name of the enumerator, "NormalizedDirection"; null if the entry is unused.
+  const char* name = nullptr;
   const char* option = nullptr; ///< name on a command line and in Python, "normalized-direction"
-  const char* older = nullptr;  ///< an earlier name, which is still read; null: none
+  const char* older = nullptr;  ///< an earlier name, which can still be read; null if there is none
 };
 using SettingWords = std::array<SettingWord, 3>;
 
@@ -26,14 +27,14 @@ using SettingWords = std::array<SettingWord, 3>;
 struct SettingText
 {
   const char* name;   ///< name of the property, "FrictionCoefficient"
-  const char* option; ///< command-line option without dashes; null: no option
-  const char* unit;   ///< "" for ratios and enumerations
+  const char* option; ///< command-line option without dashes; null if there is no option
+  const char* unit;   ///< unit; "" for ratios and enumerations
   /// Description of the setting, with unit and range but without the default. It begins with a
   /// small letter and ends without a full stop.
   const char* help;
 };
 
-/// The range of a setting; all its values are finite.
+/// The range of a setting. All values of a setting are finite.
 struct SettingRange
 {
   static constexpr double Endless = std::numeric_limits<double>::infinity();
@@ -41,7 +42,7 @@ struct SettingRange
   double least;
   double most;
   bool includesLeast;
-  const char* what; ///< the kind of number, for errors; null for an enumeration
+  const char* what; ///< the kind of number, for error messages; null for an enumeration
 
   static constexpr SettingRange positive(const char* what) { return { 0.0, Endless, false, what }; }
   static constexpr SettingRange notNegative(const char* what)
@@ -59,9 +60,10 @@ struct SettingRow
 {
   SettingText text;
   SettingRange range;
-  SettingWords words; ///< by value; empty for a number
+  /// Names of the values of an enumeration, in the order of the values; empty for a number.
+  SettingWords words;
   double (*get)(const ContactSettings&);
-  void (*set)(ContactSettings&, double); ///< accepts any value, see faultOfContact()
+  void (*set)(ContactSettings&, double); ///< accepts any value; faultOfContact() checks it
 
   constexpr bool isEnumeration() const { return this->words[0].name != nullptr; }
   constexpr double usual() const { return this->get(ContactSettings{}); }
@@ -114,9 +116,9 @@ constexpr SettingRow choice(const SettingText& text, const SettingWords& words)
 } // namespace setting
 
 /**
- * The settings of a contact: the only source of their texts and ranges. Filters, sessions and the C
- * interface check values by this table, the program's options are made from it, and ParaView's
- * properties are tested against it.
+ * The settings of a contact. This table is the only source of their texts and ranges. Filters,
+ * sessions and the C interface check values with this table, the program's options are derived from
+ * it, and ParaView's properties are tested against it.
  */
 inline constexpr std::array<SettingRow, 9> SettingTable = { {
   setting::choice<&ContactSettings::form>(
@@ -171,11 +173,11 @@ inline constexpr std::array<SettingRow, 9> SettingTable = { {
       0.0, ContactSettings::MostRelaxationElements, "a number of elements, e.g. 16")),
 } };
 
-/// The row with this property name or command-line option; null if there is none.
+/// Returns the row with this property name or command-line option; null if there is none.
 PALPATE_EXPORT const SettingRow* findSetting(const std::string& nameOrOption);
 
-/// The first setting that is out of its range or NaN, even if the chosen model does not use it.
-/// Kernels require settings without fault.
+/// Returns the first setting that is out of its range or NaN, even if the chosen model does not use
+/// it. The contact classes require settings without fault.
 PALPATE_EXPORT SettingFault faultOfContact(const ContactSettings& settings);
 } // namespace palpate
 

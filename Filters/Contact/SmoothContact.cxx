@@ -13,18 +13,18 @@ namespace
 {
 using Matrix2 = Eigen::Matrix2d;
 
-/// Newton's method ends after a step of the parameters below this value: the remaining error is its
-/// square.
+/// Newton's method ends after a step of the parameters below this value. The remaining error is of
+/// the order of the square of the step.
 constexpr double LastStep = 1e-6;
-/// A minimum that is beyond an edge by at most this value counts as on the edge.
+/// A minimum beyond an edge by at most this value counts as a minimum on the edge.
 constexpr double OnEdge = 1e-9;
 
-/// Derivatives of half the squared distance to the surface by the parameters.
+/// Derivatives of half the squared distance to the surface with respect to the parameters.
 struct Distance
 {
   Eigen::Vector2d slope;
-  /// If the Hessian is not that of a minimum, a multiple of the metric is added, so that the step
-  /// reduces the distance.
+  /// If the Hessian is not that of a minimum, a multiple of the metric is added to it, so that the
+  /// step reduces the distance.
   Matrix2 hessian;
   bool isConvex;
 
@@ -44,7 +44,7 @@ struct Distance
     {
       const double halfTrace = 0.5 * (hvv * ww + hww * vv - 2.0 * hvw * vw) / metric;
       const double least =
-        halfTrace - std::sqrt(std::max(0.0, halfTrace * halfTrace - share)); // 1 - δ/R
+        halfTrace - std::sqrt(std::max(0.0, halfTrace * halfTrace - share)); // equals 1 - δ/R
       constexpr double enough = 0.25;
       hvv += (enough - least) * vv;
       hvw += (enough - least) * vw;
@@ -63,14 +63,14 @@ struct Distance
   }
 };
 
-/// The change of the three area coordinates for a change of the parameters.
+/// Returns the changes of the three area coordinates for a change of the two parameters.
 Vector3 asWeights(const Eigen::Vector2d& step)
 {
   return { -step[0] - step[1], step[0], step[1] };
 }
 
-/// Weights may leave the triangle slightly during the search, but less near corners, where the
-/// patch ends.
+/// Returns whether a point is close enough to the triangle for the search. Weights may leave the
+/// triangle slightly, but less near corners, where the patch ends.
 bool isNearby(const Vector3& weights)
 {
   Eigen::Index least = 0;
@@ -101,7 +101,7 @@ bool SmoothContact::load(std::int32_t triangle) noexcept
   return this->IsSound;
 }
 
-/// State of the search.
+/// State of the search for the closest point.
 class SmoothContact::Descent
 {
 public:
@@ -149,7 +149,8 @@ private:
                              : SmoothPoint{};
   }
 
-  /// The last step needs no new derivatives: its remaining error is its square.
+  /// Sets the result. The last step needs no new derivatives, because its remaining error is of the
+  /// order of its square.
   SmoothPoint describe(SmoothPoint::Outcome outcome, const Distance& distance,
     const Eigen::Vector2d& step) const noexcept
   {
@@ -172,8 +173,8 @@ private:
     return found;
   }
 
-  /// Moves towards `next` to the first edge, and to the triangle across it. Returns false if the
-  /// search ends there.
+  /// Moves towards `next` up to the first edge, and to the triangle across this edge. Returns false
+  /// if the search ends at the edge.
   bool leave(const Distance& distance, const Vector3& next, bool isMinimum) noexcept
   {
     if (this->HeldEdge >= 0)
@@ -202,9 +203,9 @@ private:
     return true;
   }
 
-  /// Moves along an edge to the minimum on it, if both sides lead to the edge or if the edge is a
-  /// border. At that minimum both sides agree, except for rounding, on which side the search
-  /// continues.
+  /// Moves along an edge to the minimum on this edge, if the search leads to the edge from both
+  /// sides or if the edge is a border. At that minimum, both sides agree (except for rounding) on
+  /// the triangle in which the search continues.
   bool slide(const Distance& distance) noexcept
   {
     const int edge = this->HeldEdge;
@@ -226,7 +227,7 @@ private:
     const Eigen::Vector2d whole = -(distance.inverse() * distance.slope);
     if (asWeights(whole)[corner] >= 0.0)
     {
-      return true; // the minimum is inside the triangle after all
+      return true; // the minimum is inside the triangle
     }
     const std::int32_t across = this->Contact.Mesh.neighbour(this->Triangle, edge);
     if (across < 0)
@@ -244,7 +245,7 @@ private:
       {
         this->Result = this->finish(distance, change.tail<2>());
       }
-      return false; // the search alternates between two sides that are not convex: not found
+      return false; // not found: the search alternates between two sides that are not convex
     }
     this->cross(across, edge, next);
     this->IsSettled = true;
@@ -253,11 +254,11 @@ private:
 
   struct Exit
   {
-    int corner; ///< opposite the edge
+    int corner; ///< corner opposite the edge
     double share;
   };
-  /// The fraction of the step to `next` at which the first weight becomes 0; weights that are
-  /// already negative come first.
+  /// Returns the fraction of the step to `next` at which the first weight becomes 0. Weights that
+  /// are already negative come first.
   Exit firstEdge(const Vector3& next) const noexcept
   {
     Exit first{ 0, 2.0 };
@@ -278,7 +279,7 @@ private:
     return first;
   }
 
-  /// Converts the point to the coordinates of the neighbour.
+  /// Converts the point to the area coordinates of the neighbouring triangle.
   void cross(std::int32_t across, int edge, const Vector3& at) noexcept
   {
     const TriangleCorners& from = this->Contact.Mesh.corners(this->Triangle);
@@ -301,9 +302,9 @@ private:
   SmoothContact& Contact;
   const Vector3& Tip;
   std::int32_t Triangle;
-  std::int32_t Previous = -1; ///< the triangle before the present one
-  bool IsSettled = false;     ///< the minimum is known not to be in Previous
-  int HeldEdge = -1;          ///< the search is confined to this edge
+  std::int32_t Previous = -1; ///< the triangle before the current one
+  bool IsSettled = false;     ///< whether the minimum is known not to be in Previous
+  int HeldEdge = -1; ///< the edge to which the search is confined; -1 if it is not confined
   Vector3 Weights;
   SurfaceJet Jet;
   SmoothPoint Result;

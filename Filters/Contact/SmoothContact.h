@@ -12,15 +12,15 @@
 
 namespace palpate
 {
-/// The closest point of the smooth surface. Local coordinates of the mesh.
+/// The closest point of the smooth surface, in local coordinates of the mesh.
 struct SmoothPoint
 {
   enum class Outcome : std::uint8_t
   {
     Found,
-    Border,  ///< on an open border, beyond which the distance would decrease further
-    Crease,  ///< on a crease, beyond which the distance would decrease further
-    NotFound ///< no such point here: use the facets
+    Border,  ///< the point is on an open border, beyond which the distance would decrease further
+    Crease,  ///< the point is on a crease, beyond which the distance would decrease further
+    NotFound ///< the smooth surface has no suitable point: the caller must use the facets
   };
 
   Outcome outcome = Outcome::NotFound;
@@ -28,26 +28,29 @@ struct SmoothPoint
 };
 
 /**
- * The true closest point of the smooth surface of a body: one SmoothTriangle per triangle, through
- * the points of the mesh and perpendicular to the normals of the response.
+ * Finds the closest point of the smooth surface of a body. This surface has one SmoothTriangle per
+ * triangle. It passes through the points of the mesh and is perpendicular to the normals of the
+ * response.
  *
  * follow() descends by Newton's method from a nearby point (that of the last tick) to the local
- * minimum of the distance, and moves to the neighbour if the minimum is beyond an edge. As the
- * surface is G1, point, normal and distance are continuous in the tip as long as the depth of the
- * tip is less than the surface's radius of convex curvature. The weights are continuous too,
- * because the two triangles of an edge agree on it. With H the Hessian of half the squared distance
- * by the parameters α of the patch, the parameters move with the tip by H⁻¹ ∂P/∂α (implicit
- * function theorem).
+ * minimum of the distance, and moves to the neighbouring triangle if the minimum is beyond an edge.
+ * As the surface is G1, the closest point, its normal and the distance are continuous functions of
+ * the tip's position as long as the depth of the tip is less than the surface's radius of convex
+ * curvature. The weights are continuous too, because the two triangles of an edge have the same
+ * weights on it. Let H be the Hessian of half the squared distance with respect to the parameters α
+ * of the patch. If the tip moves, the parameters move by H⁻¹ ∂P/∂α times the displacement of the
+ * tip (implicit function theorem).
  *
- * In the following cases the result is NotFound, and the caller uses the closest point of the
- * facet: if the depth of the tip is within about a thousandth of the radius of curvature, or larger
- * than this radius (det H <= FocalShare times its value at the surface: the closest point is about
- * to split in two), at a crease (see SmoothTriangle), on a folded triangle (see PackedMesh), at a
- * seam of triangles without area, and after MaximumSteps.
+ * The result is NotFound, and the caller uses the closest point of the facet, in the following
+ * cases: the depth of the tip is close to the radius of curvature (within about a thousandth) or
+ * larger than this radius, so that the closest point is about to split in two (det H <= FocalShare
+ * times its value at the surface); the point is at a crease (see SmoothTriangle), on a folded
+ * triangle (see PackedMesh) or at a seam of triangles without area; the search exceeds
+ * MaximumSteps.
  *
  * A step costs about 0.1 µs, the patch of a new triangle 0.2 µs; a tick takes two or three steps.
- * follow() neither allocates nor locks nor throws. It stores the last patch: one SmoothContact
- * serves one thread. Mesh and response may be shared and must outlive it.
+ * follow() neither allocates, locks nor throws. The object stores the last patch, so that each
+ * thread needs its own object. Objects may share mesh and response, which must outlive them.
  */
 class PALPATE_EXPORT SmoothContact
 {
@@ -61,8 +64,8 @@ public:
   {
   }
 
-  /// Starts from area coordinates of a triangle of the mesh with the sum 1; the point may be beyond
-  /// the edges. If the tip is not finite, the result is NotFound.
+  /// Starts from the area coordinates `weights` of a point of a triangle of the mesh. Their sum is
+  /// 1; the point may be beyond the edges. If the tip is not finite, the result is NotFound.
   SmoothPoint follow(const Vector3& tip, std::int32_t triangle, const Vector3& weights) noexcept;
 
 private:

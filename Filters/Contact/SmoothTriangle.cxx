@@ -10,10 +10,10 @@ namespace palpate
 namespace
 {
 using Vector4 = Eigen::Vector4d;
-/// Four doubles that are processed together; two at a time on a processor without AVX.
+/// Four doubles that are processed together, or two at a time on a processor without AVX.
 using Four [[gnu::vector_size(32)]] = double;
-/// The same type for the memory of an Eigen::Vector4d, which need not begin at a multiple of 32
-/// bytes. (Not for a parameter of a template, which would lose the attributes.)
+/// The same type for the memory of an Eigen::Vector4d, whose address need not be a multiple of 32.
+/// (This type must not be used as a template argument, which would lose the attributes.)
 using StoredFour [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 Vector4 padded(const Vector3& v)
@@ -21,7 +21,8 @@ Vector4 padded(const Vector3& v)
   return { v.x(), v.y(), v.z(), 0.0 };
 }
 
-/// One step of de Casteljau's algorithm: from the control points of `order` to those of order-1.
+/// Computes one step of de Casteljau's algorithm, from the control points of degree `order` to
+/// those of degree order-1.
 template <int order>
 [[gnu::always_inline]] inline void cut(const StoredFour* from, const Vector3& u, Four* to) noexcept
 {
@@ -37,8 +38,8 @@ template <int order>
   }
 }
 
-/// xy(x-y)/(x+y) and its derivatives: the factor that blends the interior points of the two edges
-/// of a corner into one another.
+/// xy(x-y)/(x+y) and its derivatives. This factor interpolates between the interior points of the
+/// two edges of a corner.
 struct Blend
 {
   double value = 0.0;
@@ -50,8 +51,9 @@ struct Blend
     const double sum = a + b;
     if (std::abs(sum) < 1e-30)
     {
-      return; // at the corner value and slopes are 0; the second derivatives have no limit and
-              // count as 0
+      // At the corner, the value and the slopes are 0; the second derivatives have no limit there
+      // and are set to 0.
+      return;
     }
     const double p = a / sum;
     const double q = b / sum;
@@ -65,8 +67,8 @@ struct Blend
 };
 
 // The function executes the same instructions in the same order with vectors of two or four
-// doubles, so that the result is the same bit for bit. A thread sanitizer cannot run the code that
-// chooses between the two versions.
+// doubles, so that the results are the same bit for bit. The code that selects one of the two
+// versions cannot run under a thread sanitizer.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx", "default")]]
 #endif
@@ -74,7 +76,7 @@ struct Blend
 evaluatePatch(const StoredFour* control, const StoredFour* twists, const Vector3& u) noexcept
 {
   std::array<Four, 10> cubic;
-  std::array<Four, 6> c; // j, r: 00 10 20 01 11 02
+  std::array<Four, 6> c; // indices j, r of the points: 00 10 20 01 11 02
   std::array<Four, 3> d;
   cut<4>(control, u, cubic.data());
   cut<3>(cubic.data(), u, c.data());
@@ -85,8 +87,8 @@ evaluatePatch(const StoredFour* control, const StoredFour* twists, const Vector3
   Four dvv = 12.0 * (c[2] - 2.0 * c[1] + c[0]);
   Four dvw = 12.0 * (c[4] - c[1] - c[3] + c[0]);
   Four dww = 12.0 * (c[5] - 2.0 * c[3] + c[0]);
-  // Gregory's part: at corner i, with j and k the next two, 12 u_i² g(u_j, u_k). The corners are
-  // written out, because a loop over them is slower.
+  // Adds Gregory's term of each corner i, with the next two corners j and k: 12 u_i² g(u_j, u_k).
+  // The three corners are written out, because a loop over them is slower.
   const auto add =
     [&](const StoredFour& twist, double value, double v, double w, double vv, double vw, double ww)
   {
@@ -132,7 +134,7 @@ Vector3 SurfaceJet::across() const noexcept
   return this->dv.cross(this->dw);
 }
 
-/// The cubic over an edge, and the directions across it at its ends and in its middle.
+/// The cubic curve over an edge, and the directions across the edge at its ends and in its middle.
 struct SmoothTriangle::Edge
 {
   std::array<Vector3, 4> curve;
@@ -151,7 +153,7 @@ struct SmoothTriangle::Edge
     {
       return;
     }
-    // Length 2l/(1 + cos θ), cos θ = projected/l.
+    // The length of each end tangent is 2l/(1 + cos θ), with cos θ = projected/l.
     const Vector3 unitA = alongA / projectedA;
     const Vector3 unitB = alongB / projectedB;
     const double square = 2.0 * length * length;
@@ -161,7 +163,7 @@ struct SmoothTriangle::Edge
     this->across[2] = nb.cross(unitB);
     const Vector3 sum = this->across[0] + this->across[2];
     const double norm = sum.norm();
-    if (!(norm > 1e-3)) // the directions across the edge at its ends are opposite
+    if (!(norm > 1e-3)) // the directions across the edge at its two ends are opposite
     {
       return;
     }
@@ -170,7 +172,7 @@ struct SmoothTriangle::Edge
   }
 
   Vector3 leg(std::size_t i) const noexcept { return this->curve[i + 1] - this->curve[i]; }
-  /// Control point `step` of the same curve raised to degree four.
+  /// Returns control point `step` of the same curve after degree elevation to four.
   Vector3 quartic(int step) const noexcept
   {
     switch (step)
@@ -189,7 +191,7 @@ struct SmoothTriangle::Edge
   }
 };
 
-/// Index of the control point at step 0..4 from corner `edge` to the next corner.
+/// Returns the index of the control point at step 0..4 from corner `edge` to the next corner.
 int SmoothTriangle::alongEdge(int edge, int step) noexcept
 {
   switch (edge)
@@ -203,7 +205,8 @@ int SmoothTriangle::alongEdge(int edge, int step) noexcept
   }
 }
 
-/// Index of the interior point nearest to corner `edge` (step 0) or to the next corner (step 1).
+/// Returns the index of the interior control point nearest to corner `edge` (step 0) or to the next
+/// corner (step 1).
 int SmoothTriangle::insideEdge(int edge, int step) noexcept
 {
   switch ((edge + step) % 3)
@@ -240,7 +243,7 @@ bool SmoothTriangle::build(
   }
   const std::array<Edge, 3> edges = { Edge(points[0], points[1], unit[0], unit[1]),
     Edge(points[1], points[2], unit[1], unit[2]), Edge(points[2], points[0], unit[2], unit[0]) };
-  std::array<std::array<Vector3, 2>, 3> inside; // [edge][step]
+  std::array<std::array<Vector3, 2>, 3> inside; // indices: [edge][step]
   for (int e = 0; e < 3; ++e)
   {
     const Edge& edge = edges[static_cast<std::size_t>(e)];
@@ -254,8 +257,8 @@ bool SmoothTriangle::build(
     {
       this->Control[static_cast<std::size_t>(alongEdge(e, step))] = padded(edge.quartic(step));
     }
-    // The derivative across the edge is λ(t) times the tangent plus μ(t) times the direction
-    // across, with λ and μ linear. The neighbouring edges determine the derivative at the ends.
+    // The derivative across the edge is λ(t) times the tangent plus μ(t) times the direction across
+    // the edge, with λ and μ linear. The values at the ends follow from the neighbouring edges.
     const Vector3 first = last.quartic(3) - 0.5 * (edge.quartic(0) + edge.quartic(1));
     const Vector3 end = next.quartic(1) - 0.5 * (edge.quartic(3) + edge.quartic(4));
     const double lambda0 = first.dot(edge.leg(0)) / edge.leg(0).squaredNorm();

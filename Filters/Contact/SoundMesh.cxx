@@ -20,7 +20,8 @@ namespace palpate
 {
 namespace
 {
-/// Of the triangles; a larger fraction means a sheet with two sides.
+/// Largest fraction of the triangles that may be flaps. A larger fraction indicates a sheet with
+/// two sides.
 constexpr double LargestShareOfFlaps = 0.1;
 
 Vector3 pointAt(const double* points, std::int32_t index)
@@ -33,7 +34,8 @@ bool hasCornerTwice(const TriangleCorners& c)
   return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
-/// Whether the rounded triangle still has an area, on the same side as the given triangle.
+/// Returns whether the rounded triangle still has an area, and its normal the same orientation as
+/// that of the given triangle.
 bool keepsItsArea(const std::array<Vector3, 3>& given, const std::array<Vector3, 3>& rounded)
 {
   const auto normalOf = [](const std::array<Vector3, 3>& t) -> Vector3
@@ -163,8 +165,9 @@ void SoundMesh::repair(bool isPiece)
       link();
     }
   };
-  merge(); // before points are joined: a copy closes the hole around a triangle with separate
-           // points
+  // Copies are merged before points are joined, because a copy closes the hole around a triangle
+  // with separate points.
+  merge();
   if (links->borderEdges() > 0 || losesArea)
   {
     this->joinPoints(*links, joined);
@@ -238,7 +241,8 @@ void SoundMesh::joinPoints(const TriangleLinks& links, std::vector<TriangleCorne
     }
     if (hasCornerTwice(corners))
     {
-      corners[0] = -1; // only two different corners: the neighbours of the triangle share this edge
+      // The triangle has only two different corners; its neighbours share this edge.
+      corners[0] = -1;
     }
   }
   this->Found.joinedPoints = 0;

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// Checks that no strength or compliance is negative or not finite.
+/// Checks that all strengths and compliances are finite and not negative.
 std::string faultOfPointRelaxation(const ResponseArrays& response)
 {
   const RelaxationTerms& terms = response.relaxation;

@@ -43,7 +43,7 @@ void ToolContact::lose() noexcept
 [[gnu::hot]] inline Pressed ToolContact::follow(const ToolPose& pose) noexcept
 {
   const std::int32_t last = this->Tracker.triangle();
-  if (last >= 0) // the contact is probably on this triangle again or next to it
+  if (last >= 0) // the contact is probably again on this triangle or on a neighbour of it
   {
     this->Body.prefetchResponses(last);
   }
@@ -137,7 +137,7 @@ void ToolContact::lose() noexcept
 
 void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
 {
-  constexpr int others = 2; // the number of other faces at a corner
+  constexpr int others = 2; // largest number of other faces at a corner
   for (int face = 0; face < others && at.reach.depth > 0.0 && at.reach.nearerAcross >= 0; ++face)
   {
     const ContactTracker::Result across =
@@ -169,7 +169,7 @@ void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
   {
     this->addMemory(work, at, result);
   }
-  const double whole = work.byDepth; // force without the effect of edges and borders
+  const double whole = work.byDepth; // normal force without the effect of edges and borders, N
   const Vector3 out = this->vectorToContact(place);
   const ForceDirection direction = ForceDirection::of(
     this->Settings.form, this->Body.response, this->LastCorners, at, upright.force, out);
@@ -229,25 +229,27 @@ void ToolContact::crossEdges(Pressed& at, double lowering) noexcept
 void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexcept
 {
   const Jet slow = work;
-  // The material under a tilted tool has moved as under an upright tool with the same force.
+  // The material under a tilted tool has moved in the same way as under an upright tool with the
+  // same force.
   const ContactTilt::Alike upright =
     this->Tilt.alike(this->response(), result.deflection, this->Slow);
   const ContactRelaxation::Force felt = this->Relaxation.press(
     { this->LastCorners, this->LastWeights, result.contactPoint, upright.depth }, upright.value);
   result.state = felt.isTouched ? result.state : ContactState::None;
   result.memory = felt.total - slow.byDepth;
-  // A tilted tool stores more energy than the upright one, in proportion to their slow works.
+  // A tilted tool stores more energy than the upright one, in the ratio of their slow works.
   const double stretch = this->Tilt.isTilted() && slow.value > 0.0
     ? slow.value / this->response().energy(upright.depth)
     : 1.0;
-  if (slow.value > 0.0) // otherwise the value is not used
+  if (slow.value > 0.0) // otherwise work.value is not used
   {
     work.value += stretch * this->Relaxation.storedEnergy();
   }
   if (this->Settings.form == ForceForm::EnergyConsistent)
   {
     // The energy stored by the memory force is divided among the corners in proportion to their
-    // slow work: the curves of one tool on bodies of different stiffness have the same shape.
+    // slow works, because the curves of one tool on bodies of different stiffness have the same
+    // shape.
     work.byPlace *= slow.value > 0.0 ? work.value / slow.value : 1.0;
     work.byPlace += stretch *
       EnergyGradient::ofEnergies(at.place().weightGradients, this->Relaxation.strengthEnergies());
@@ -264,8 +266,9 @@ void ToolContact::addMemory(Jet& work, const Pressed& at, Contact& result) noexc
   {
     const Friction::Result friction = this->Resistance.update(
       result.contactPoint, result.normal, result.normalForce, result.deflection, this->response());
-    result.friction = this->Relaxation.isInTime() ? Vector3(result.friction + friction.force)
-                                                  : friction.force; // keeps -0
+    // Without time the force is copied, which keeps the sign of -0.
+    result.friction =
+      this->Relaxation.isInTime() ? Vector3(result.friction + friction.force) : friction.force;
     if (!friction.sliding && result.state == ContactState::Slide)
     {
       result.state = ContactState::Stick;
@@ -352,8 +355,8 @@ Contact ToolContact::endDetached() noexcept
   return {};
 }
 
-// A tick on a new triangle would wait for the triangle's memory, then for that of its new corner. A
-// prefetch does not wait.
+// A tick on a new triangle would wait for the memory of the triangle, and then for that of its new
+// corner. A prefetch does not wait.
 void ToolContact::foresee() const noexcept
 {
   const std::int32_t triangle = this->Tracker.triangleAhead(this->LastTip + this->LastStep);
@@ -384,7 +387,7 @@ void ToolContact::rehearse(double elapsed) const noexcept
   bool valid = true;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // On an edge, the opposite corners of both triangles have no effect.
+    // If the contact is on an edge, the opposite corners of both triangles have no effect.
     valid = valid &&
       (place.projection.weights[static_cast<Eigen::Index>(k)] == 0.0 ||
         this->Body.response.isValid(corners[k]));

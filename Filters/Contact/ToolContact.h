@@ -18,25 +18,25 @@
 namespace palpate
 {
 /**
- * Computes the contact force from the tip's position, one tick after another.
+ * Computes the contact force from the tip's position, tick by tick.
  *
  * The tip is projected on the undeformed surface (ContactTracker); its distance from the surface is
- * the deflection δ. The curves of the triangle's three vertices are blended with the area
- * coordinates n_i of the projection (Mahvash and Hayward 2002, eqs. 3 and 4; ForceForm). Friction
- * depends on the motion of the contact point over the undeformed surface (Friction). Contacts
- * without friction slide. Beyond an open border the contact is LostAtBorder and its force fades
- * (BorderFade). If the response has EdgeTerms, BodyEdges controls how the contact leaves the body
- * over sharp edges. If the axis of the tool is known and the response has tilt data, the tilt
- * against the body's normal changes the force and adds a torque (ContactTilt). On a body that
- * relaxes, an update with the time since the last update results in the force with memory
- * (ContactRelaxation); an update without a time results in the slow response.
+ * the deflection δ. The curves of the triangle's three vertices are combined with the area
+ * coordinates n_i of the projection as weights (Mahvash and Hayward 2002, eqs. 3 and 4; ForceForm).
+ * Friction depends on the motion of the contact point over the undeformed surface (Friction).
+ * Contacts without friction are in the state Slide. Beyond an open border the state is LostAtBorder
+ * and the force fades (BorderFade). If the response has EdgeTerms, BodyEdges controls how the
+ * contact leaves the body over sharp edges. If the axis of the tool is known and the response has
+ * tilt data, the angle between the axis and the body's normal changes the force and adds a torque
+ * (ContactTilt). On a body that relaxes, an update with the time since the last update computes the
+ * force with memory (ContactRelaxation); an update without a time computes the slow response.
  *
- * All effects act on one work (Jet): the work of the upright tool, times the factor of the tilt,
- * plus the energy of the memory, times the factor of edges or border. Its derivatives are the
- * normal force, the stiffness, the moment and the force along the surface.
+ * All effects are combined in one work function (Jet): the work of the upright tool, times the
+ * factor of the tilt, plus the energy of the memory, times the factor of edges or border. Its
+ * derivatives are the normal force, the stiffness, the moment and the force along the surface.
  *
- * update() neither allocates nor locks nor throws. One ToolContact is one history and serves one
- * thread; the body may be shared and must outlive it.
+ * update() neither allocates, locks nor throws. One ToolContact stores the history of one contact
+ * and is used by one thread. Several ToolContacts may share the body, which must outlive them.
  */
 class PALPATE_EXPORT ToolContact
 {
@@ -59,69 +59,69 @@ public:
   {
     return this->update(ToolPose(tip), elapsed);
   }
-  /// Computes the slow response; the memory of a body that relaxes is not changed.
+  /// Computes the slow response. The memory of a body that relaxes is not changed.
   Contact update(const ToolPose& pose) noexcept
   {
     Pressed at = this->find(pose);
     return this->feel(at, 0.0);
   }
   /// Computes the response `elapsed` s after the last update with a time. If the first such update
-  /// finds the tip inside the body, the tip is assumed to have rested there.
+  /// finds the tip inside the body, the tip is assumed to have been at rest there.
   Contact update(const ToolPose& pose, double elapsed) noexcept
   {
     Pressed at = this->find(pose, elapsed);
     return this->feel(at, 0.0);
   }
 
-  /// First half of an update: finds the contact.
+  /// First half of an update: finds the contact point.
   Pressed find(const ToolPose& pose) noexcept;
   Pressed find(const ToolPose& pose, double elapsed) noexcept;
-  /// Second half of an update: the result for a found contact if other forces have lowered the
-  /// surface by `lowering` mm. To be called once after each find().
+  /// Second half of an update: computes the result for a contact of find(). `lowering` is the
+  /// lowering of the surface by other forces, mm. To be called once after each find().
   Contact feel(Pressed& at, double lowering) noexcept;
 
-  /// Computes the depth of the tool on a surface that nothing lowers, for tools that lower the
-  /// surface under one another. To be called between find() and feel(). Returns false if the tool
-  /// does not press.
+  /// Computes the depth of the tool on a surface that is not lowered by other tools. Used for tools
+  /// that lower the surface under one another. To be called between find() and feel(). Returns
+  /// false if the tool does not press.
   bool press(Pressed& at) noexcept;
-  /// The slow response of the tool at a depth (mm) at that contact, in its present tilt.
+  /// Returns the slow response of the tool at the contact `at` for another depth (mm), with the
+  /// present tilt.
   ResponseValue slowResponse(const Pressed& at, double depth) const noexcept;
 
-  /// Adds time during which the position of the tip is unknown.
+  /// Adds time (s) during which the position of the tip is unknown.
   void pass(double elapsed) noexcept { this->Relaxation.pass(elapsed); }
-  /// Ends the contact, its friction, and the memory of the body.
+  /// Ends the contact and its friction, and resets the memory of the body.
   void reset() noexcept;
   /// Ends the contact and its friction, but keeps the memory of the body.
   void lose() noexcept;
 
-  /// Takes the pre-sliding displacement of another contact that this one continues
-  /// (Friction::assume).
+  /// Takes over the friction state of another contact at the same point (Friction::assume).
   void assumeFriction(const ToolContact& other) noexcept
   {
     this->Resistance.assume(other.Resistance);
   }
 
   /// Prefetches the memory that the next update reads if the tip continues its motion. To be called
-  /// after the force is sent, while the loop is idle. Changes nothing; takes 50 ns to a few
+  /// after the force is sent, while the loop is idle. Changes no state; takes 50 ns to a few
   /// microseconds.
   void foresee() const noexcept;
-  /// Makes the next update on a copy that is discarded, as if the tip continued its motion. The
-  /// data and code that the update uses are then in the cache, even if the processor was busy with
-  /// other work. It serves a loop that waits for its next sample, `elapsed` s after the last one.
-  /// Changes nothing; costs an update.
+  /// Computes the next update on a copy that is discarded, as if the tip continued its motion. Then
+  /// the data and the code of the update are in the cache, even if the processor was busy with
+  /// other work. Used by a loop that waits for its next sample, `elapsed` s after the last one.
+  /// Changes no state; costs as much as an update.
   void rehearse(double elapsed) const noexcept;
 
-  /// The curve at the contact of the last update. normalForce is its force at the deflection
-  /// (slightly less with ForceForm::Paper, a fraction beyond a border). Without a contact the curve
-  /// is zero.
+  /// Returns the curve at the contact of the last update; zero if there is no contact. normalForce
+  /// is the force of this curve at the deflection (slightly less with ForceForm::Paper, a fraction
+  /// of it beyond a border).
   BlendedResponse response() const noexcept
   {
     return { this->Body.response, this->LastCorners, this->LastWeights };
   }
 
-  /// The fraction (0 to 1) of the force of the contact of the last update, friction included, that
-  /// remains if the stiffness that acts in a loop is limited to `maximumStiffness`, N/mm
-  /// (CappedResponse). For a body that relaxes, the instantaneous stiffness is limited.
+  /// Returns the fraction (0 to 1) of the force of the last update, including friction, that
+  /// remains if the stiffness in the loop is limited to `maximumStiffness`, N/mm (CappedResponse).
+  /// For a body that relaxes, the instantaneous stiffness is limited.
   double cappedShare(const Contact& contact, double maximumStiffness) const noexcept;
 
 private:
@@ -133,43 +133,44 @@ private:
       place.projection.weights };
   }
 
-  /// Sets the depth of the tool, and the factor by which edges or a border change its work.
+  /// Computes the depth of the tool, and the factor by which edges or a border change its work.
   void reach(Pressed& at, double lowering) noexcept;
-  /// Moves the contact to the face across a blunt edge as long as that face is nearer.
+  /// Moves the contact to the face across a blunt edge, repeatedly as long as that face is nearer.
   void crossEdges(Pressed& at, double lowering) noexcept;
-  /// Whether the force has a part due to the gradients of the area coordinates.
+  /// Returns whether the force has a part that depends on the gradients of the area coordinates.
   bool usesGradients(const ContactPlace& place) const noexcept
   {
     return this->Settings.form == ForceForm::EnergyConsistent ||
       (this->Settings.form == ForceForm::NormalizedDirection && place.isSmooth);
   }
-  /// The slow work at a depth > 0, in the present tilt. Its value is computed only if an effect
-  /// needs it.
+  /// Returns the slow work at a depth > 0 with the present tilt. Its value is computed only if an
+  /// effect needs it.
   Jet slowWork(const Pressed& at, double depth, const ResponseValue& upright) const noexcept;
-  /// Adds the memory of a body that relaxes to a slow work.
+  /// Adds the memory force and energy of a body that relaxes to a slow work.
   void addMemory(Jet& work, const Pressed& at, Contact& result) noexcept;
   /// Sets all results except friction. Returns false if the force is not finite or has no
-  /// direction. The state is None while a relaxing body is still dented below the tool.
+  /// direction. While a relaxing body is still dented below the tool, the state is None.
   bool push(const Pressed& at, Contact& result) noexcept;
   void addFriction(Contact& result) noexcept;
-  /// The vector from the tip to the contact point.
+  /// Returns the vector from the tip to the contact point.
   Vector3 vectorToContact(const ContactPlace& place) const noexcept;
 
-  /// The result of a tool that does not press.
+  /// Returns the result of a tool that does not press.
   Contact endAtDepth(const Pressed& at, double lowering) noexcept;
   Contact end(ContactState state) noexcept;
   /// Ends the contact because the body is still dented below the tool.
   Contact endDetached() noexcept;
 
-  /// Effect of edges on a contact. It is Active again when the tip has been outside.
+  /// Effect of edges on a contact. The mode becomes Active again when the tip has been outside the
+  /// body.
   enum class EdgeMode : std::uint8_t
   {
     Active,
-    /// The contact has ended at an edge. A new contact that begins at a depth would return energy
-    /// that was never put in.
+    /// The contact has ended at an edge. A new contact that begins at a depth > 0 would return
+    /// energy that was never put in.
     Released,
-    /// The contact began inside the body at a point at which the law of edges leaves no force, far
-    /// below an edge or between bumps.
+    /// The contact began inside the body at a point at which the edge law gives no force, far below
+    /// an edge or between bumps.
     Ignored
   };
 
@@ -177,14 +178,15 @@ private:
   ContactSettings Settings;
   ContactTracker Tracker;
   Friction Resistance;
-  Vector3 LastTip = Vector3::Zero();  ///< the tip, or the followed point of a tilted tool
-  Vector3 LastStep = Vector3::Zero(); ///< vector from the preceding tip to LastTip
+  Vector3 LastTip = Vector3::Zero();  ///< tip, or followed point of a tilted tool
+  Vector3 LastStep = Vector3::Zero(); ///< vector from the preceding LastTip to LastTip
   EdgeMode Edges = EdgeMode::Active;
   TriangleCorners LastCorners{};
   Vector3 LastWeights = Vector3::Zero();
-  ResponseValue Slow; ///< slow response at the last contact, without edges and borders
+  /// Slow response at the last contact, without the effect of edges and borders.
+  ResponseValue Slow;
   ContactTilt Tilt;
-  ContactRelaxation Relaxation; ///< last member, because most bodies do not relax
+  ContactRelaxation Relaxation; ///< the last member, because most bodies do not relax
 };
 } // namespace palpate
 

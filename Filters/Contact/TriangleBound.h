@@ -20,10 +20,10 @@ namespace palpate
 {
 /**
  * A lower bound of the distance between a tip and each of four triangles, computed in float for all
- * four at once, so that only triangles that may be the nearest are computed in double.
+ * four triangles at once. Only triangles that may be the nearest are then computed in double.
  *
- * The bound of a triangle combines the distance from its plane and, within the plane, from the
- * half-plane of each edge. It is the exact distance except where a corner is nearest.
+ * The bound combines the distance from the plane of the triangle and, within the plane, the
+ * distance from the half-plane of each edge. It is the exact distance unless a corner is nearest.
  */
 class TriangleBound
 {
@@ -31,15 +31,15 @@ public:
   using Lane = Eigen::Array<float, 4, 1>;
 
   /// A computed bound exceeds the true bound by less than this fraction of the largest coordinate
-  /// of tip and triangles. It covers a dozen roundings, amplified thirty times by the sharpest
-  /// angle that is allowed.
+  /// of tip and triangles. This covers a dozen rounding errors, amplified thirty times by the
+  /// sharpest allowed angle.
   static constexpr double Rounding = 2e-5;
-  /// Largest allowed coordinate of tip and triangles, mm; sixth powers of larger lengths do not fit
-  /// a float.
+  /// Largest allowed coordinate of tip and triangles, mm. Sixth powers of larger lengths do not fit
+  /// into a float.
   static constexpr double LargestCoordinate = 3e5;
 
-  /// Squared bounds. `corners`: nine coordinates of each triangle. The bound is 0 for slivers,
-  /// whose planes are lost in float rounding.
+  /// Returns the squared bounds. `corners` has nine coordinates for each triangle. The bound is 0
+  /// for slivers, because float rounding makes their planes uncertain.
   [[gnu::always_inline]] static Lane squaredDistances(
     const Eigen::Vector3f& tip, const std::array<const float*, 4>& corners) noexcept
   {
@@ -54,7 +54,7 @@ public:
     const Lanes ab = minus(to[1], to[0]);
     const Lanes bc = minus(to[2], to[1]);
     const Lanes ca = minus(to[0], to[2]);
-    const Lanes normal = cross(ab, ca); // inward; its length is twice the area
+    const Lanes normal = cross(ab, ca); // directed inward; its length is twice the area
     const Lane area2 = dot(normal, normal);
     const Lane height = dot(normal, to[0]);
     const Lane ab2 = dot(ab, ab);
@@ -82,14 +82,15 @@ private:
   using Lanes = std::array<Lane, 3>; ///< x, y, z
 
   static constexpr float SliverSine2 = 1e-3F;
-  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4, so that no divisor is a denormal number
+  static constexpr float SmallestArea2 = 1e-30F; ///< mm^4; prevents denormal divisors
 
-  /// Loads the coordinates relative to the tip: corner by corner, coordinate by coordinate.
+  /// Loads the coordinates: one Lanes per corner, one Lane per coordinate, with one value for each
+  /// triangle.
   static std::array<Lanes, 3> load(const std::array<const float*, 4>& corners) noexcept
   {
     std::array<Lanes, 3> to;
 #ifdef __SSE2__
-    for (std::size_t k = 0; k < 8; k += 4) // eight of the nine coordinates, four at once
+    for (std::size_t k = 0; k < 8; k += 4) // loads eight of the nine coordinates, four at a time
     {
       __m128 a = _mm_loadu_ps(corners[0] + k);
       __m128 b = _mm_loadu_ps(corners[1] + k);
@@ -124,16 +125,17 @@ private:
   }
 };
 
-/// The nearest triangle found so far in a search, and the squared distances in float beyond which a
-/// box, or a triangle by its bound, cannot be nearer.
+/// The nearest triangle found so far in a search, with two squared distances in float: a box beyond
+/// the first distance, or a triangle whose bound is beyond the second distance, cannot be nearer.
 class NearestTriangle
 {
 public:
-  /// `size`: largest absolute local coordinate of the body.
+  /// `size` is the largest absolute local coordinate of the body, mm.
   NearestTriangle(const Vector3& tip, double size)
   {
     const double largest = tip.cwiseAbs().maxCoeff();
-    this->TipRounding = 6e-8 * 2.0 * largest; // error of the tip's conversion to floats: √3/2 ulp
+    // Error of converting the tip to floats: √3/2 units in the last place.
+    this->TipRounding = 6e-8 * 2.0 * largest;
     this->BoundRounding = largest + size < TriangleBound::LargestCoordinate
       ? TriangleBound::Rounding * (largest + size)
       : std::numeric_limits<double>::infinity();
@@ -147,7 +149,7 @@ public:
     const double distance = std::sqrt(there.squaredDistance);
     this->BoxReach = static_cast<float>(
       std::min(squared(distance + this->TipRounding), static_cast<double>(LargestFloat)));
-    // If the bound does not fit a float, every triangle is checked.
+    // If the bound does not fit into a float, every triangle is checked.
     const double bound = squared(distance + this->BoundRounding);
     this->BoundReach = bound < static_cast<double>(LargestFloat)
       ? static_cast<float>(bound)
@@ -156,7 +158,7 @@ public:
 
   /// Squared distance within which a box may contain a nearer triangle.
   float boxReach() const noexcept { return this->BoxReach; }
-  /// Whether a triangle with the TriangleBound `bound` may be nearer.
+  /// Returns whether a triangle with the TriangleBound `bound` may be nearer.
   bool canReach(float bound) const noexcept { return !(bound > this->BoundReach); }
 
   std::int32_t triangle() const noexcept { return this->Triangle; }
@@ -167,7 +169,8 @@ private:
 
   static double squared(double reach) noexcept
   {
-    return reach * reach * (1.0 + 1e-6); // a dozen roundings of the float distance
+    // The factor covers a dozen rounding errors of the float distance.
+    return reach * reach * (1.0 + 1e-6);
   }
 
   double TipRounding;

@@ -11,8 +11,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Whether the upward ray from a point crosses the triangle. A ray through an edge crosses exactly
-/// one of its two triangles.
+/// Returns whether the upward ray from a point crosses the triangle. A ray through an edge crosses
+/// exactly one of the two triangles of the edge.
 bool isBelow(const Vector3d& place, const std::array<Vector3d, 3>& corners)
 {
   bool isIn = false;

@@ -14,8 +14,9 @@
 namespace palpate
 {
 /// Triangles sorted into columns along z, used to count the triangles above a point. If the
-/// triangles of a surface are about equal in size, a column contains only a few. Slivers across
-/// many columns make the columns wider. There are at most Most entries per triangle.
+/// triangles of a surface have about the same size, a column contains only a few triangles. Slivers
+/// that extend over many columns make the columns wider. There are at most Most entries per
+/// triangle.
 class PALPATE_EXPORT TriangleColumns
 {
 public:
@@ -23,13 +24,14 @@ public:
 
   explicit TriangleColumns(std::vector<Corners> triangles);
 
-  /// The number of triangles that a ray upward from `place` crosses: odd inside a closed surface.
+  /// Returns the number of triangles that a ray upward from `place` crosses. The number is odd
+  /// inside a closed surface.
   std::size_t crossingsAbove(const Eigen::Vector3d& place) const;
 
 private:
   static constexpr std::size_t Most = 8;
 
-  /// The columns below a triangle: the first and last ones along x and y.
+  /// The columns below a triangle: the first and the last column along x and along y.
   struct Range
   {
     Eigen::Array2i low;

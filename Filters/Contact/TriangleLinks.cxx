@@ -9,13 +9,14 @@ namespace palpate
 {
 namespace
 {
-/// The triangles at the edge from -> to.
+/// Counts of the triangles at the edge from -> to.
 struct EdgeFan
 {
-  int alike = 0;  ///< triangles wound from -> to, like the given one
-  int across = 0; ///< triangles wound to -> from
+  int alike = 0;  ///< triangles with the direction from -> to, like the given triangle
+  int across = 0; ///< triangles with the direction to -> from
   std::int32_t neighbour = TriangleLinks::Border;
-  bool askerIsFirst = true; ///< used to count an edge only once
+  /// Whether the given triangle is the first one at the edge; used to count an edge only once.
+  bool askerIsFirst = true;
 };
 
 EdgeFan fanOf(const std::vector<TriangleCorners>& triangles,

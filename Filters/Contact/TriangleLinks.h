@@ -16,11 +16,11 @@ namespace palpate
  * The triangles that meet at each point and across each edge. Edge i of a triangle runs from its
  * corner i to its corner i + 1 (mod 3).
  *
- * Two triangles are neighbours if no other triangle shares their edge and they are wound alike,
- * that is, in opposite directions along the edge. An edge with one triangle is a border. An edge
- * with more than two, or with two of opposite winding, is not manifold and has no neighbours
- * either. Triangles whose first corner is negative are ignored; the corners of the others must be
- * indices of points.
+ * Two triangles are neighbours if no other triangle shares their edge and they are wound
+ * consistently, that is, in opposite directions along the edge. An edge with one triangle is a
+ * border. An edge with more than two triangles, or with two of opposite winding, is not manifold
+ * and has no neighbours either. Triangles whose first corner is negative are ignored. The corners
+ * of all other triangles must be valid point indices.
  *
  * Cost: O(n); threaded; the result does not depend on the number of threads.
  */
@@ -32,26 +32,27 @@ public:
 
   TriangleLinks(const std::vector<TriangleCorners>& triangles, std::size_t pointCount);
 
-  /// The triangle across each edge, or Border, or NonManifold.
+  /// Returns the triangle across each edge, or Border or NonManifold.
   const std::array<std::int32_t, 3>& neighbours(std::size_t triangle) const noexcept
   {
     return this->Neighbours[triangle];
   }
-  /// The triangles around a point, in ascending order: pointers to the first and one past the last.
+  /// Returns the triangles around a point, in ascending order, as a pointer to the first and a
+  /// pointer past the last.
   std::array<const std::int32_t*, 2> around(std::int32_t point) const noexcept
   {
     const auto i = static_cast<std::size_t>(point);
     return { this->Ring.data() + this->RingStart[i], this->Ring.data() + this->RingStart[i + 1] };
   }
-  /// Whether an edge without neighbour ends at the point.
+  /// Returns whether an edge without neighbour ends at the point.
   bool onBorder(std::int32_t point) const noexcept
   {
     return this->OnBorder[static_cast<std::size_t>(point)] != 0;
   }
   std::size_t borderEdges() const noexcept { return this->BorderEdges; }
   std::size_t nonManifoldEdges() const noexcept { return this->NonManifoldEdges; }
-  /// Number of non-manifold edges with exactly two triangles: reversing one triangle would repair
-  /// them.
+  /// Number of non-manifold edges with exactly two triangles. Reversing one of the triangles would
+  /// repair such an edge.
   std::size_t twistedEdges() const noexcept { return this->TwistedEdges; }
 
 private:

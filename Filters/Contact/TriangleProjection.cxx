@@ -16,8 +16,9 @@ struct Region
   TriangleFeature feature;
 };
 
-/// The nearest of the projections on the edges and on the plane. The areas of the latter are
-/// computed from cross products: the rounding error is at most the height of the sliver.
+/// Returns the nearest of the projections on the edges and on the plane. The area coordinates of
+/// the projection on the plane are computed from cross products; their rounding error corresponds
+/// to at most the height of the sliver.
 Region nearestOnSliver(
   const Vector3& ap, const Vector3& bp, const Vector3& cp, const Vector3& ab, const Vector3& ac)
 {

@@ -12,7 +12,7 @@
 namespace palpate
 {
 using Vector3 = Eigen::Vector3d;
-/// The three points of a triangle, by index.
+/// The indices of the three points of a triangle.
 using TriangleCorners = std::array<std::int32_t, 3>;
 
 /// The part of a triangle abc on which the closest point is. Edge i runs from corner i to corner
@@ -38,12 +38,13 @@ struct TriangleProjection
   TriangleFeature feature = TriangleFeature::Face;
 };
 
-/// Closest point of triangle abc to `tip`, by the Voronoi regions of its corners and edges
-/// (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). The triangle must have an area.
+/// Returns the closest point of triangle abc to `tip`, using the Voronoi regions of its corners and
+/// edges (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). The triangle must have an area.
 PALPATE_EXPORT TriangleProjection projectOnTriangle(
   const Vector3& tip, const Vector3& a, const Vector3& b, const Vector3& c) noexcept;
 
-/// If the squared sine of the angle at a is smaller, rounding destroys the areas of a projection.
+/// Smallest squared sine of the angle at a. If it is smaller, rounding makes the area coordinates
+/// of a projection useless.
 constexpr double SliverSine = 1e-8;
 
 /// Position of a tip's projection on a triangle's plane, relative to the triangle.
@@ -53,12 +54,13 @@ enum class PlaneFoot : std::int8_t
   BeyondEdge0,
   BeyondEdge1,
   BeyondEdge2,
-  Unknown ///< the triangle is a sliver, or the tip not finite
+  Unknown ///< the triangle is a sliver, or the tip is not finite
 };
 
 /// Computes the result of projectOnTriangle(), bit for bit, if the closest point is on the face.
 /// This is the case in most ticks of a followed contact; therefore the function is inline.
-/// Otherwise returns an edge beyond which the projection is, and leaves `projection` unchanged.
+/// Otherwise returns an edge beyond which the projection is, or Unknown, and leaves `projection`
+/// unchanged.
 inline PlaneFoot projectOnFace(const Vector3& tip, const Vector3& a, const Vector3& b,
   const Vector3& c, TriangleProjection& projection) noexcept
 {

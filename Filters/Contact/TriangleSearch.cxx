@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns eight bits: bit k is set if distance k is within reach.
+/// Returns eight bits: bit k is set if distances[k] is at most `reach`.
 unsigned within(const Eigen::Array<float, 8, 1>& distances, float reach) noexcept
 {
 #ifdef __SSE2__
@@ -88,7 +88,7 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
 {
   const auto row = static_cast<std::size_t>(near.triangle) / (Width * TriangleTree::LeafSize);
   const TriangleTree::Boxes& here = this->Tree.Levels.front()[row];
-  double size2 = 0.0; // squared diagonal of the box of this row
+  double size2 = 0.0; // squared diagonal of the box around this row
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double side{ here.high[k].maxCoeff() - here.low[k].minCoeff() };
@@ -97,7 +97,7 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
   this->Radius = -1.0;
   if (reach * reach > size2)
   {
-    return false; // too many boxes
+    return false; // there are too many boxes
   }
   const double radius = reach + 0.5 * std::sqrt(size2);
   NearestTriangle around(tip, this->Tree.Size);
@@ -110,7 +110,8 @@ bool TriangleSearch::gather(const Vector3& tip, const Place& near, double reach)
     std::uint32_t level;
     std::uint32_t row;
   };
-  std::array<Pending, Width * 13> stack; // levels of an int32, see TriangleTree.cxx
+  // 13 levels suffice for int32 indices, see TriangleTree.cxx.
+  std::array<Pending, Width * 13> stack;
   std::size_t size = 0;
   const Eigen::Vector3f rounded = tip.cast<float>();
   this->Count = 0;

@@ -12,21 +12,21 @@ namespace palpate
 {
 namespace
 {
-/// The plane of a triangle. Computes the slope of other triangles: their depth below the plane,
-/// divided by their distance from the triangle within the plane.
+/// The plane of a triangle. It computes the slope of other triangles: their depth below the plane,
+/// divided by their distance from this triangle within the plane.
 class TrianglePlane
 {
 public:
   explicit TrianglePlane(const std::array<Vector3, 3>& corners);
 
-  /// The smallest slope b such that every point of another triangle at corner k is below the plane
-  /// by at most b times its distance from this triangle; infinite if there is no such slope. The
-  /// search tests a few directions: along any direction that leads away from the triangle, the
+  /// Returns the smallest slope b such that every point of another triangle at corner k is below
+  /// the plane by at most b times its distance from this triangle; infinite if there is no such
+  /// slope. The search tests a few directions away from this triangle: along such a direction, the
   /// distance from the corner is at most the distance from the triangle. The search stops at a
   /// slope <= `enough`.
   double slopeTo(const std::array<Vector3, 3>& other, std::size_t k, double enough) const;
 
-  /// In mm.
+  /// Returns the smallest altitude of the triangle, mm.
   double smallestAltitude() const { return this->Altitude; }
 
 private:
@@ -35,10 +35,12 @@ private:
 
   std::array<Vector3, 3> Corner;
   Vector3 Normal;
-  std::array<Vector3, 3> FromEdge;   ///< unit, away from the triangle across edge i
-  std::array<Vector3, 3> FromCorner; ///< unit, between the FromEdge of the two edges at the corner
+  /// Unit vector in the plane, away from the triangle across edge i.
+  std::array<Vector3, 3> FromEdge;
+  /// Unit vector between the FromEdge of the two edges at the corner.
+  std::array<Vector3, 3> FromCorner;
   double Altitude;
-  double Rounding; ///< lengths that are smaller count as 0
+  double Rounding; ///< smaller lengths count as 0
 };
 
 TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
@@ -57,7 +59,7 @@ TrianglePlane::TrianglePlane(const std::array<Vector3, 3>& corners)
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // The direction at the tip of a needle is undefined: NaN, which results in no slope.
+    // At the tip of a needle the direction is undefined (NaN), which results in no slope.
     this->FromCorner[k] = this->FromEdge[k] + this->FromEdge[(k + 2) % 3];
     this->FromCorner[k] /= this->FromCorner[k].norm();
   }
@@ -127,15 +129,15 @@ float steepnessOf(const PackedMesh& mesh, std::int32_t triangle)
     mesh.visitAround(mesh.corners(triangle)[corner],
       [&](std::int32_t other)
       {
-        // The neighbour across the edge that ends at this corner was visited at the start of that
-        // edge.
+        // The neighbour across the edge that ends at this corner was already visited at the start
+        // of that edge.
         if (other != triangle && other != mesh.neighbour(triangle, (k + 2) % 3))
         {
           slope = std::max(slope, plane.slopeTo(cornersOf(other), corner, slope));
         }
       });
   }
-  // Rounded up, in float.
+  // Rounded up to the next float.
   const double rounded = 0.5 * slope / plane.smallestAltitude() * (1.0 + 1e-6);
   return static_cast<float>(rounded);
 }

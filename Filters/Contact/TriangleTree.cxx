@@ -13,15 +13,17 @@ namespace palpate
 {
 namespace
 {
-/// A tree of 8^11 rows of 32 triangles would have more triangles than an int32 can count.
+/// Largest number of levels. A tree of 8^11 rows of 32 triangles would have more triangles than an
+/// int32 can count.
 constexpr std::size_t LargestDepth = 12;
 
-/// Tips farther away than this multiple of the body's size are moved to that distance. For farther
-/// tips all distances round to the same value; the search would visit every triangle and choose a
-/// side by chance.
+/// A tip that is farther away than this multiple of the body's size is moved to that distance. At
+/// larger distances, all distances would round to the same value, so that the search would visit
+/// every triangle and the chosen side would be random.
 constexpr double FarAway = 1e4;
 
-/// A box with triangles is within reach until a nearer triangle is found; an empty box never is.
+/// Until a nearer triangle is found, a box with triangles is always within reach, and an empty box
+/// never is.
 static_assert(
   3.0 * 1.1 * (FarAway * SoundMesh::LargestCoordinate) * (FarAway * SoundMesh::LargestCoordinate) <
     static_cast<double>(std::numeric_limits<float>::max()),
@@ -73,8 +75,9 @@ void TriangleTree::buildLeaves()
           const auto column = static_cast<Eigen::Index>((t - r * inRow) / LeafSize);
           for (int corner = 0; corner < 3; ++corner)
           {
+            // The conversion is exact.
             const Eigen::Vector3f p =
-              this->Mesh.corner(static_cast<std::int32_t>(t), corner).cast<float>(); // exact
+              this->Mesh.corner(static_cast<std::int32_t>(t), corner).cast<float>();
             for (std::size_t k = 0; k < 3; ++k)
             {
               float& low = boxes.low[k][column];
@@ -153,7 +156,8 @@ SurfacePoint TriangleTree::closestWithin(const Vector3& tip) const noexcept
       continue;
     }
     const Row distances = this->Levels[next.level][next.row].squaredDistances(rounded);
-    // The boxes within reach, the nearest one last, so that it is taken from the stack first.
+    // Collects the boxes within reach. The nearest box is last, so that it is taken from the stack
+    // first.
     const std::size_t bottom = size;
     std::array<Pending, Width> leaves;
     std::size_t leafCount = 0;
@@ -235,7 +239,7 @@ bool TriangleTree::comesFirst(
   const Row distances = this->Levels[level][a / Width].squaredDistances(rounded);
   const float toA = distances[static_cast<Eigen::Index>(a % Width)];
   const float toB = distances[static_cast<Eigen::Index>(b % Width)];
-  return toA < toB || (toA == toB && a > b); // the order in which closestWithin() visits them
+  return toA < toB || (toA == toB && a > b); // triangles are ordered as closestWithin() visits them
 }
 
 std::size_t TriangleTree::memory() const noexcept

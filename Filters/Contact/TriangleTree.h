@@ -18,17 +18,18 @@ namespace palpate
 class NearestTriangle;
 
 /**
- * Finds the closest point of the whole body.
+ * Finds the closest point of a whole body.
  *
- * A tree of boxes without pointers: the triangles are sorted along a space-filling curve, so that
- * each box of the lowest level contains the next four triangles, and each box of a higher level the
- * next eight boxes below. Eight boxes are tested at once, in float with a margin for its rounding,
- * so that the result is exact in the mesh's coordinates. If triangles are equally near to the last
- * bit, the one whose boxes are nearer is chosen, from the top level down.
+ * A tree of boxes without pointers. The triangles are sorted along a space-filling curve; each box
+ * of the lowest level contains the next four triangles, and each box of a higher level the next
+ * eight boxes of the level below. Eight boxes are tested at once in float, with a margin for
+ * rounding, so that the result is exact for the mesh's coordinates. If several triangles are
+ * equally near to the last bit, the one whose boxes are nearer is chosen, compared from the top
+ * level down.
  *
  * Queries neither allocate nor recurse; their stack is bounded by the number of levels. Built in
- * O(n), 7 bytes per triangle. Immutable, safe from any number of threads. The mesh must outlive the
- * tree.
+ * O(n) with 7 bytes per triangle. Immutable; can be used from any number of threads. The mesh must
+ * outlive the tree.
  */
 class PALPATE_EXPORT TriangleTree
 {
@@ -37,37 +38,37 @@ public:
   TriangleTree(const TriangleTree&) = delete;
   TriangleTree& operator=(const TriangleTree&) = delete;
 
-  /// Globally closest point, in the body's frame. The triangle is -1 if the body has no usable
-  /// triangle or the tip is not finite. If the tip is farther away than 10000 times the body's
-  /// size, the result is that of a tip moved to this distance.
+  /// Returns the globally closest point in the body's frame. The triangle is -1 if the body has no
+  /// usable triangle or the tip is not finite. A tip farther away than 10000 times the body's size
+  /// is first moved to this distance.
   SurfacePoint closest(const Vector3& tip) const noexcept;
 
   /// As closest(), in the mesh's local frame.
   SurfacePoint closestLocal(const Vector3& tip) const noexcept;
 
-  /// Whether a tip (local) is farther away than 10000 times the body's size.
+  /// Returns whether a tip (local coordinates) is farther away than 10000 times the body's size.
   bool isBeyondHorizon(const Vector3& tip) const noexcept
   {
     return tip.cwiseAbs().maxCoeff() > this->Horizon;
   }
 
-  /// Bytes held.
+  /// Returns the memory used, bytes.
   std::size_t memory() const noexcept;
 
 private:
   friend class TriangleSearch;
 
-  static constexpr std::size_t LeafSize = 4; ///< triangles in a box of the lowest level
-  static constexpr std::size_t Width = 8;    ///< boxes tested at once
+  static constexpr std::size_t LeafSize = 4; ///< number of triangles in a box of the lowest level
+  static constexpr std::size_t Width = 8;    ///< number of boxes tested at once
   using Row = Eigen::Array<float, Width, 1>;
 
-  /// Eight boxes, coordinate by coordinate; missing boxes are empty.
+  /// Eight boxes, stored coordinate by coordinate. Missing boxes are empty.
   struct Boxes
   {
     std::array<Row, 3> low;
     std::array<Row, 3> high;
     void clear();
-    /// Squared distance to each box; 0 inside, infinite if it is empty.
+    /// Returns the squared distance to each box: 0 inside the box, infinite if the box is empty.
     Row squaredDistances(const Eigen::Vector3f& tip) const noexcept
     {
       Row sum = Row::Zero();
@@ -84,31 +85,33 @@ private:
   void buildLevel(const LargeVector<Boxes>& below);
   /// As closestLocal(), for a tip within the horizon.
   SurfacePoint closestWithin(const Vector3& tip) const noexcept;
-  /// Checks the triangles of a box of the lowest level. `rounded` is the tip in floats.
+  /// Checks the triangles of a box of the lowest level. `rounded` is the tip after rounding to
+  /// float.
   void searchLeaf(std::size_t leaf, const Vector3& tip, const Eigen::Vector3f& rounded,
     NearestTriangle& nearest) const noexcept;
-  /// Whether the boxes of a triangle are nearer than those of another one.
+  /// Returns whether the boxes of a triangle are nearer than the boxes of another triangle.
   bool comesFirst(
     const Eigen::Vector3f& rounded, std::int32_t triangle, std::int32_t other) const noexcept;
 
   const PackedMesh& Mesh;
-  std::vector<LargeVector<Boxes>> Levels; ///< the leaves first; the last has one row of boxes
-  double Size = 0.0;                      ///< largest coordinate of the body, local
-  double Horizon = 0.0;                   ///< limit of tip coordinates, see isBeyondHorizon()
+  /// The lowest level first; the last level has one row of boxes.
+  std::vector<LargeVector<Boxes>> Levels;
+  double Size = 0.0;    ///< largest absolute local coordinate of the body
+  double Horizon = 0.0; ///< limit of the tip's coordinates, mm; see isBeyondHorizon()
 };
 
 /**
- * Closest points of a sequence of tips, each near the preceding one. The results are those of
- * TriangleTree::closestLocal, bit for bit, in a fraction of the time.
+ * Finds the closest points of a sequence of tips, each near the preceding one. The results are bit
+ * for bit those of TriangleTree::closestLocal, in a fraction of the time.
  *
  * The search walks over the faces from the last closest triangle to the face under the tip. The
- * resulting distance is nearly always the correct one; the search then checks whether any triangle
- * is nearer. For this check it stores the boxes of 32 triangles each within Radius of Centre, so
- * that tips in that region need no search from the top of the tree. After a large jump of the tip
- * the whole tree is searched.
+ * resulting distance is nearly always the smallest one. The search then checks whether any other
+ * triangle is nearer. For this check it stores the boxes of 32 triangles each within Radius of
+ * Centre, so that tips in that region need no search from the top of the tree. After a large jump
+ * of the tip the whole tree is searched.
  *
- * Neither allocates nor throws. One search serves one thread; the tree may be shared and must
- * outlive it.
+ * The search neither allocates nor throws. Each thread needs its own object. Objects may share the
+ * tree, which must outlive them.
  */
 class PALPATE_EXPORT TriangleSearch
 {
@@ -118,12 +121,13 @@ public:
   {
   }
 
-  /// Globally closest point, tip and point in the mesh's local frame; see TriangleTree.
+  /// Returns the globally closest point. The tip and the point are in the mesh's local frame; see
+  /// TriangleTree.
   SurfacePoint closestLocal(const Vector3& tip) noexcept;
 
 private:
   static constexpr std::size_t Width = TriangleTree::Width;
-  static constexpr std::size_t Capacity = 8 * Width; ///< boxes stored
+  static constexpr std::size_t Capacity = 8 * Width; ///< largest number of stored boxes
   static constexpr int MaximumSteps = 8; ///< largest number of steps of a walk over faces
 
   struct Place
@@ -132,23 +136,23 @@ private:
     TriangleProjection projection;
   };
 
-  /// A triangle near the tip, but not always the nearest.
+  /// Returns a triangle near the tip, which is not always the nearest one.
   Place walk(const Vector3& tip) const noexcept;
-  /// Whether the stored boxes contain all triangles within `reach` of the tip.
+  /// Returns whether the stored boxes contain all triangles within `reach` of the tip.
   bool isGathered(const Vector3& tip, double reach) const noexcept
   {
     return (tip - this->Centre).norm() + reach <= this->Radius;
   }
-  /// Stores the boxes around a tip; returns false if there are too many.
+  /// Stores the boxes around a tip. Returns false if there are too many boxes.
   bool gather(const Vector3& tip, const Place& near, double reach) noexcept;
   SurfacePoint searchGathered(const Vector3& tip, const Place& near) const noexcept;
 
   const TriangleTree& Tree;
   std::int32_t Last = -1; ///< closest triangle of the last tip
   Vector3 Centre = Vector3::Zero();
-  double Radius = -1.0; ///< mm; < 0: no boxes are stored
+  double Radius = -1.0; ///< mm; negative if no boxes are stored
   std::size_t Count = 0;
-  std::array<std::uint32_t, Capacity> Rows; ///< row of the tree's lowest level, for each box
+  std::array<std::uint32_t, Capacity> Rows; ///< for each box, its row in the tree's lowest level
   std::array<TriangleTree::Boxes, Capacity / Width> Boxes;
 };
 } // namespace palpate

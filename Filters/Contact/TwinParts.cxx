@@ -17,10 +17,10 @@ struct TwinTriangles
 {
   std::int32_t first;
   std::int32_t second;
-  bool areReversed; ///< they are wound in opposite directions
+  bool areReversed; ///< whether they are wound in opposite directions
 };
 
-/// Pairs each triangle of `candidates` with the first triangle of the same coordinates.
+/// Pairs each triangle of `candidates` with the first triangle that has the same coordinates.
 std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& candidates)
 {
@@ -28,9 +28,10 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
   const auto placeOf = [coordinates](std::int32_t point)
   {
     const float* p = coordinates + 3 * static_cast<std::size_t>(point);
-    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // -0 becomes 0
+    return Place{ p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F }; // adding 0 changes -0 to 0
   };
-  // The coordinates of the corners, in ascending order, and whether an even permutation sorts them.
+  // Returns the coordinates of the corners in ascending order, and whether an even permutation
+  // sorts the corners.
   const auto placesOf = [&](std::int32_t t)
   {
     const TriangleCorners& corners = triangles[static_cast<std::size_t>(t)];
@@ -46,7 +47,7 @@ std::vector<TwinTriangles> findTwinTriangles(const float* coordinates,
     }
     return std::pair(places, isEven);
   };
-  std::vector<std::pair<std::size_t, std::int32_t>> order; // sorted by hash
+  std::vector<std::pair<std::size_t, std::int32_t>> order; // (hash, triangle), sorted by hash
   order.reserve(candidates.size());
   for (const std::int32_t t : candidates)
   {
@@ -105,11 +106,12 @@ public:
     }
   }
 
-  /// A part is a copy if each of its triangles has a twin in one other part; of two equal parts the
-  /// later one is the copy.
+  /// Leaves out copies. A part is a copy if each of its triangles has a twin in one other part. Of
+  /// two equal parts, the later one is the copy.
   void dropCopies()
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared; // earlier part, later part
+    // Number of twins by earlier and later part.
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared;
     for (const TwinTriangles& pair : this->Pairs)
     {
       ++shared[std::minmax({ this->partOf(pair.first), this->partOf(pair.second) })];
@@ -158,9 +160,9 @@ private:
   std::vector<TriangleCorners>& Triangles;
   const std::vector<std::int32_t>& Order;
   const std::vector<MeshPart>& Parts;
-  std::vector<std::size_t> PartOf; ///< for each triangle
+  std::vector<std::size_t> PartOf; ///< index of the part of each triangle
   std::vector<TwinTriangles> Pairs;
-  std::vector<bool> IsCopy; ///< for each part
+  std::vector<bool> IsCopy; ///< one value for each part
 };
 } // namespace
 

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A range of connected triangles in an order of triangles.
+/// A range of connected triangles in a list of triangles sorted by part.
 struct MeshPart
 {
   std::size_t first;
@@ -19,11 +19,11 @@ struct MeshPart
 };
 
 /// Leaves out parts that are copies of another part, or of a region of another part, with separate
-/// points: the first corner of their triangles becomes -1. Returns the triangles of walls that two
-/// solids share, each pair in sequence.
+/// points. The first corner of their triangles becomes -1. Returns the triangles of the walls that
+/// two solids share, with the two triangles of each pair one after the other.
 ///
-/// `coordinates`: 3 floats per point; `order`: triangles, part by part. O(n log n), 16 bytes per
-/// triangle.
+/// `coordinates` has 3 floats per point. `order` lists the triangles part by part. Takes O(n log n)
+/// and 16 bytes per triangle.
 std::vector<std::int32_t> dropCopiedParts(const float* coordinates,
   std::vector<TriangleCorners>& triangles, const std::vector<std::int32_t>& order,
   const std::vector<MeshPart>& parts);

@@ -22,21 +22,23 @@ using Eigen::VectorXd;
 
 constexpr int ScanGroups = 100;
 constexpr int ScanCandidates = 60;
-// Largest distance of the contact before the first reading, as a fraction of the range.
+// Largest distance of first contact before the first reading, as a fraction of the range.
 constexpr double ScanBefore = 0.5;
 constexpr int MostScans = 12;
-constexpr double BaselineDepths = 4.0; // length of the baseline, in depths of contact
+// Length of the baseline, in multiples of the depth of contact.
+constexpr double BaselineDepths = 4.0;
 constexpr std::size_t EnoughBefore = 30;
-constexpr std::size_t MostReadings = 200; // more readings are averaged
+constexpr std::size_t MostReadings = 200; // if there are more readings, they are averaged
 constexpr int ContactGroups = 160;
 constexpr int BaselineGroups = 40;
-// Value of a noise that is not known.
+// Value of the noise if the noise is not known.
 constexpr double Unknown = std::numeric_limits<double>::infinity();
-// Fraction of the depth of contact. Before first contact, groups within this distance are as fine
-// as those in contact.
+// Fraction of the depth of contact. Within this distance before first contact, groups of readings
+// are as fine as in contact.
 constexpr double KinkShare = 0.1;
 
-/// Averages the readings `first` <= i < `last` over `count` equal intervals of depth.
+/// Appends the averages of the readings `first` <= i < `last` over `count` equal intervals of
+/// depth.
 void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t last, int count,
   IndentationCurve& groups)
 {
@@ -69,14 +71,15 @@ void appendGroups(const IndentationCurve& curve, std::size_t first, std::size_t 
   }
 }
 
-/// A half-space and a baseline, for one depth of first contact.
+/// A half-space and a baseline, fitted for one assumed depth of first contact.
 struct Candidate
 {
   FirstContact contact;
   double squares = std::numeric_limits<double>::infinity();
 };
 
-/// Returns the best E*, offset and drift for a contact at the given depth, by linear least squares.
+/// Returns the best E*, offset and drift for first contact at the given depth, by linear least
+/// squares.
 Candidate fitAt(const IndentationCurve& groups, double depth, bool hasBaseline)
 {
   Candidate result;
@@ -139,7 +142,7 @@ BaselineTerms baselineTerms(double readings, double range, double depth, double 
   {
     return BaselineTerms::None;
   }
-  // The error of the force over the depth. It follows from the standard error of the slope of a
+  // The error of the force over the depth, which follows from the standard error of the slope of a
   // line through evenly spaced readings.
   const double error =
     std::max(noise, FitLimits::LeastNoise) * depth * std::sqrt(12.0 / readings) / range;
@@ -197,7 +200,7 @@ FirstContact findFirstContact(const IndentationCurve& curve)
       return found;
     }
     found = best.contact;
-    // Scans a shorter range if most of the scanned range precedes the contact.
+    // If most of the scanned range precedes the contact, scans a shorter range.
     const double contactDepth = depths.back() - found.depth;
     const double from = found.depth - (BaselineDepths - 1.0) * contactDepth - step;
     const auto next = static_cast<std::size_t>(
@@ -225,7 +228,7 @@ IndentationCurve arrangeReadings(const IndentationCurve& curve, bool findContact
       std::lower_bound(depths.begin(), depths.end(), depth) - depths.begin());
   };
   std::size_t first = 0;
-  std::size_t middle = 0; // first reading of the fine groups
+  std::size_t middle = 0; // index of the first reading in the fine groups
   if (findContact)
   {
     FirstContact& start = arranged.start;

@@ -19,14 +19,15 @@ using Eigen::VectorXd;
 
 constexpr std::size_t FewReadings = 16;
 
-/// Returns the force at the end of a curve on the estimated half-space. A single wrong reading has
+/// Returns the force of the estimated half-space at the end of a curve. A single wrong reading has
 /// little effect on this force.
 double endForce(const IndentationCurve& curve)
 {
   return curve.tool->force(curve.deflection.back() - curve.start.depth, curve.start.modulus);
 }
 
-/// Returns the E* for which the first curve has its end force. The other parameters are given.
+/// Returns the E* for which the first curve has its end force. The other parameters are taken from
+/// `body`.
 double matchModulus(BodyParameters body, const IndentationCurve& curve,
   const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -38,7 +39,8 @@ double matchModulus(BodyParameters body, const IndentationCurve& curve,
   return force / bodyResponse(body, *curve.tool, kernel, local).force;
 }
 
-/// Returns the initial bodies: from nearly local to nearly global, from a thick to a thin layer.
+/// Returns the initial bodies of the fit: from nearly local to nearly global deformation, or from a
+/// thick to a thin layer.
 std::vector<BodyParameters> startingBodies(
   BodyModel model, const IndentationCurve& curve, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -70,7 +72,7 @@ std::vector<BodyParameters> startingBodies(
   return starts;
 }
 
-/// Returns a subset of the readings, evenly chosen, including the deepest reading.
+/// Returns an evenly spaced subset of the readings, including the deepest reading.
 IndentationCurve thin(const IndentationCurve& curve)
 {
   IndentationCurve few;

@@ -19,12 +19,12 @@
 
 namespace palpate
 {
-/// The models of a body under a site.
+/// The models of the body at a site.
 enum class BodyModel
 {
-  HalfSpace,        ///< fits E*
-  GlobalCompliance, ///< fits E* and C_g, which is in series with the half-space
-  Layer             ///< fits E* and h of a layer on a rigid base
+  HalfSpace,        ///< parameter: E*
+  GlobalCompliance, ///< parameters: E* and C_g, which is in series with the half-space
+  Layer             ///< parameters: E* and thickness h of a layer on a rigid base
 };
 
 /// The parameters of a body.
@@ -33,17 +33,18 @@ struct BodyParameters
   BodyModel model = BodyModel::HalfSpace;
   double reducedModulus = 0.0; ///< E*, MPa
   double compliance = 0.0;     ///< C_g, mm/N
-  double thickness = 0.0;      ///< h, mm; 0: no layer
+  double thickness = 0.0;      ///< h, mm; 0 if there is no layer
 };
 
-/// The loading of one tool: readings of ascending depth, from any origin. For a fit the readings
-/// are arranged and have an estimate of first contact (ArrangedReadings.h).
+/// The loading of one tool: readings in ascending order of depth, measured from any origin. For a
+/// fit the readings must be arranged and have an estimate of first contact (ArrangedReadings.h).
 struct IndentationCurve
 {
   const AxisymmetricTool* tool = nullptr;
   std::vector<double> deflection; ///< mm
   std::vector<double> force;      ///< N
-  std::vector<double> readings;   ///< number of readings averaged in each value; if empty, one each
+  /// Number of readings averaged in each value; empty if each value is a single reading.
+  std::vector<double> readings;
   FirstContact start;
 
   void append(double depth, double value, double count)
@@ -52,7 +53,7 @@ struct IndentationCurve
     this->force.push_back(value);
     this->readings.push_back(count);
   }
-  /// Largest net force, N.
+  /// Returns the largest net force, N.
   double largestForce() const
   {
     double largest = -std::numeric_limits<double>::infinity();
@@ -69,11 +70,13 @@ struct IndentationCurve
   }
 };
 
-/// Returns the response of a body to a tool. `kernel` is needed only for a layer.
+/// Returns the response of a body to a tool at a deflection, mm. `kernel` is needed only for a
+/// layer.
 PALPATE_EXPORT SeriesPoint bodyResponse(const BodyParameters& body, const AxisymmetricTool& tool,
   const std::shared_ptr<const LayerKernel>& kernel, double deflection);
 
-/// Returns the contact without the compliance in series. `kernel` is needed only for a layer.
+/// Returns the local contact of a tool, without the compliance in series. `kernel` is needed only
+/// for a layer.
 PALPATE_EXPORT IndentationPoint localContact(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double deflection);
@@ -85,36 +88,38 @@ struct PALPATE_EXPORT BodyFit
   std::vector<double> contactOffset;   ///< depth of first contact of each curve, mm
   std::vector<ForceBaseline> baseline; ///< baseline of each curve
   std::vector<BaselineTerms> terms;    ///< fitted terms of each baseline
-  /// Sum of squares of the residuals of force over all single readings, N².
+  /// Sum of squared force residuals over all single readings, N².
   double sumOfSquares = 0.0;
   int degreesOfFreedom = 0;
   bool converged = false;
   /// Standard errors of the fitted parameters, each divided by the standard deviation of the noise
-  /// (N). Order: ln E*; C_g or ln h; depths of contact; fitted terms of each baseline. +inf for
-  /// parameters that the curves do not determine.
+  /// (N). Order: ln E*; C_g or ln h; depths of first contact; fitted terms of each baseline. The
+  /// error is +inf for parameters that the curves do not determine.
   Eigen::VectorXd errorPerNoise;
-  /// S, with one row for ln E* and one for C_g or ln h. S Sᵀ is their covariance divided by the
-  /// variance of the noise (N²). Empty if the curves do not determine these parameters.
+  /// Matrix S with one row for ln E* and one for C_g or ln h. S Sᵀ is the covariance of these
+  /// parameters divided by the variance of the noise (N²). Empty if the curves do not determine
+  /// these parameters.
   Eigen::MatrixXd spreadPerNoise;
   /// The smallest sine of the angle between the effect of one parameter on the forces and the
-  /// effects of the others. 0 if two parameters cannot be separated.
+  /// effects of the other parameters. 0 if two parameters cannot be separated.
   double separation = 0.0;
 
-  /// The root mean square residual of a reading, N.
+  /// Returns the root mean square residual of a reading, N.
   double residual() const;
 };
 
 /**
  * Fits a body by non-linear least squares (Levenberg and Marquardt) of the force. The parameters
  * are E*, C_g or h, the depth of first contact of each curve (fixed at 0 if `findContact` is
- * false), and the terms of each baseline that the readings determine. Returns nothing if no initial
- * body leads to a finite E*, or if there are not more readings than parameters.
+ * false), and the terms of each baseline that the readings determine. Returns no value if no
+ * initial body leads to a finite E*, or if the number of readings does not exceed the number of
+ * parameters.
  */
 PALPATE_EXPORT std::optional<BodyFit> fitBody(const std::vector<IndentationCurve>& curves,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel);
 
-/// Returns the standard error of ln E* divided by the standard deviation of the noise (N), if C_g
-/// (0 here) were also unknown.
+/// Returns the standard error that ln E* would have if C_g (0 here) were also unknown, divided by
+/// the standard deviation of the noise (N).
 PALPATE_EXPORT double modulusErrorBesideCompliance(
   const std::vector<IndentationCurve>& curves, const BodyFit& halfSpace, bool findContact);
 } // namespace palpate

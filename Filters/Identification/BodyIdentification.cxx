@@ -39,7 +39,7 @@ void sortByDepth(IndentationCurve& curve)
   curve = std::move(sorted);
 }
 
-/// Returns the common noise of all curves.
+/// Returns the common noise of all curves, N.
 ForceNoise poolNoise(const std::vector<IndentationCurve>& curves)
 {
   double squares = 0.0;
@@ -98,7 +98,7 @@ BodyIdentification::BodyIdentification(const IdentificationOptions& options)
 {
 }
 
-/// Returns "" if the fit determines its body, else the reason why it does not.
+/// Returns "" if the curves determine the body of the fit, else the reason why they do not.
 std::string BodyIdentification::checkDetermined(
   const std::vector<IndentationCurve>& curves, const BodyFit& fit, double noise) const
 {
@@ -127,7 +127,7 @@ std::string BodyIdentification::checkDetermined(
   return {};
 }
 
-/// Chooses a model. Returns the reason if no model can be chosen, or "".
+/// Chooses a model. Returns the reason if no model can be chosen, else "".
 std::string BodyIdentification::choose(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -182,8 +182,8 @@ std::string BodyIdentification::choose(
   return {};
 }
 
-/// Identifies a body from the given readings, which are not changed. Returns the reason of a
-/// failure, or "".
+/// Identifies a body from the given readings, which are not changed. Returns the reason on failure,
+/// else "".
 std::string BodyIdentification::judge(
   const std::vector<IndentationCurve>& curves, const ForceNoise& noise, Judgement& judgement) const
 {
@@ -219,8 +219,8 @@ std::string BodyIdentification::judge(
                          : unclear;
 }
 
-/// Selects the readings of all curves that are within small strain, arranges and counts them.
-/// Returns the reason if there are too few, or "".
+/// Selects the readings of all curves that are within small strain, arranges and counts these
+/// readings. Returns the reason if there are too few, else "".
 std::string BodyIdentification::select(const std::vector<IndentationCurve>& all, const BodyFit& fit,
   std::vector<IndentationCurve>& used, std::size_t& count) const
 {
@@ -243,7 +243,7 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
 {
   IdentifiedBody result;
   result.refusal = curves.empty() ? "there is no loading" : "";
-  std::size_t count = 0; // number of readings used
+  std::size_t count = 0; // total number of readings used
   for (IndentationCurve& curve : curves)
   {
     result.refusal = result.refusal.empty() ? checkCurve(curve) : result.refusal;
@@ -266,8 +266,8 @@ IdentifiedBody BodyIdentification::identify(std::vector<IndentationCurve> curves
     used.push_back(arrangeReadings(curve, this->Options.findContact));
   }
 
-  // The readings within small strain depend on the body. Therefore fit and choice of readings
-  // alternate.
+  // Which readings are within small strain depends on the body. Therefore the fit and the selection
+  // of readings alternate.
   Judgement judgement;
   result.refusal = this->judge(used, noise, judgement);
   for (int pass = 0; pass < LargestPassCount && judgement.fit; ++pass)

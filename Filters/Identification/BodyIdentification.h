@@ -16,22 +16,22 @@
 
 namespace palpate
 {
-/// Known properties, and the limits of an acceptable fit.
+/// Options of an identification: known properties, and limits for an acceptable fit.
 struct IdentificationOptions
 {
-  /// The model to fit, if it is given. Otherwise the simplest sufficient model is chosen.
+  /// The model to fit. If it is not given, the simplest sufficient model is chosen.
   std::optional<BodyModel> model;
-  double noise = 0.0;        ///< standard deviation of a force reading, N; if 0, it is estimated
+  double noise = 0.0;        ///< standard deviation of a force reading, N; with 0, it is estimated
   double poissonRatio = 0.5; ///< Poisson's ratio of a layer
   LayerBase base = LayerBase::Bonded;
-  bool findContact = true; ///< false: deflections are measured from first contact
-  /// Largest contact radius divided by tip radius. Deeper readings are not used.
+  bool findContact = true; ///< false if deflections are measured from first contact
+  /// Largest contact radius divided by tip radius up to which readings are used.
   double largestStrain = 0.4;
   double largestMisfit = 0.02; ///< largest residual as a fraction of the largest force
-  /// Largest half width of the confidence interval of E*, relative.
+  /// Largest half width of the confidence interval of E*, relative to E*.
   double largestUncertainty = 0.5;
-  /// The relaxation of the body, if it is known in advance. Without branches, the relaxation is
-  /// identified.
+  /// The relaxation of the body, if it is known in advance. If it has no branches, the relaxation
+  /// is identified.
   PronySeries relaxation;
 };
 
@@ -47,12 +47,12 @@ struct IdentifiedBody
   Estimate thickness;                  ///< mm; for BodyModel::Layer
   std::vector<Estimate> contactOffset; ///< depth of first contact of each curve, mm
   std::vector<Estimate> forceOffset;   ///< force offset of each curve at first contact, N
-  /// Force drift of each curve, N/mm. The interval is 0 to 0 if the drift is not determined.
+  /// Force drift of each curve, N/mm. If the drift is not determined, the interval is 0 to 0.
   std::vector<Estimate> forceDrift;
   /// Baseline of each curve, computed from forceOffset and forceDrift.
   std::vector<ForceBaseline> baseline;
-  /// The relaxation of the body; the other parameters then describe the slow response. If there are
-  /// no branches, the body is elastic.
+  /// The relaxation of the body. The other parameters then describe the slow response. Without
+  /// branches, the body is elastic.
   PronySeries relaxation;
   std::vector<Estimate> relaxationStrength; ///< p_i
   std::vector<Estimate> relaxationTime;     ///< τ_i, s
@@ -60,21 +60,23 @@ struct IdentifiedBody
   double shortestTime = std::numeric_limits<double>::quiet_NaN();
   /// Longest time that the test can resolve, s.
   double longestTime = std::numeric_limits<double>::quiet_NaN();
-  std::string remark; ///< readings that were not used, and quantities that are not determined
-  /// S, with one row for ln E* and one for C_g or ln h. S Sᵀ is their covariance, multiplied by the
-  /// square of the factor from a standard error to half a 95 % interval.
+  /// The readings that were not used, and the quantities that are not determined.
+  std::string remark;
+  /// Matrix S with one row for ln E* and one for C_g or ln h. S Sᵀ is the covariance of these
+  /// parameters, multiplied by the square of the factor from a standard error to half a 95 %
+  /// interval.
   Eigen::MatrixXd spread;
 
-  double noise = 0.0; ///< standard deviation of a reading, N, given or estimated
-  /// Residual of the fit per reading, N; for a suitable model about equal to the noise.
+  double noise = 0.0; ///< standard deviation of a reading, N; given or estimated
+  /// Residual of the fit per reading, N. For a suitable model it is about equal to the noise.
   double misfit = 0.0;
   double largestForce = 0.0; ///< largest force of the readings used, N
-  bool withinNoise = false;  ///< false: the residual of the best model exceeds the noise
+  bool withinNoise = false;  ///< false if the residual of the best model exceeds the noise
 
   // The end of the used data, computed from the fitted curves.
   double endForce = 0.0;     ///< N
   double endStiffness = 0.0; ///< dF/dδ, N/mm
-  IndentationPoint end;      ///< end of the curve with the largest contact, without C_g
+  IndentationPoint end;      ///< end of the curve with the largest contact radius, without C_g
   double endDepth = 0.0;     ///< depth at `end`, mm, without C_g
 };
 
@@ -82,33 +84,33 @@ struct IdentifiedBody
  * Identifies the elastic body at one site from the loading curves of one or several tools.
  *
  * Three models are fitted: a half-space (E*), a half-space in series with a global compliance (E*,
- * C_g > 0), and a layer on a rigid base (E*, h; Poisson's ratio given). A model is within the noise
- * under two conditions. Its residual does not exceed the noise (an F test at three standard
+ * C_g > 0), and a layer on a rigid base (E*, h; Poisson's ratio is given). A model is within the
+ * noise under two conditions: its residual does not exceed the noise (an F test at three standard
  * deviations), and no model with more parameters reduces the residual by more than noise would (a
- * likelihood ratio at 1 %). The result is the simplest model within the noise. If no model is
- * within the noise, the result is the model with the smallest residual, if this residual is below
- * `largestMisfit`. withinNoise is then false.
+ * likelihood ratio test at 1 %). The result is the simplest model within the noise. If no model is
+ * within the noise, the result is the model with the smallest residual, provided this residual is
+ * below `largestMisfit`; withinNoise is then false.
  *
- * The laws are those of small strain. Readings deeper than `largestStrain` allows (StrainWindow.h)
- * are not used; `remark` reports their number. The largest depth depends on the body. Therefore fit
- * and choice of readings alternate.
+ * The laws are those of small strain. Readings at larger strain than `largestStrain`
+ * (StrainWindow.h) are not used; `remark` reports their number. The corresponding depth depends on
+ * the body. Therefore the fit and the selection of readings alternate.
  *
- * In addition to the body, the fit finds for each curve the depth of first contact, and the offset
- * and the drift of its force with the depth, if the readings before contact determine them
- * (ArrangedReadings.h).
+ * In addition to the body, the fit determines the depth of first contact of each curve. It also
+ * determines the offset of the force and its drift with the depth, if the readings before contact
+ * suffice (ArrangedReadings.h).
  *
  * In the following cases no body is identified, and the reason is returned:
- * - too few readings;
- * - readings before contact that are not on a straight line;
- * - a global compliance below 0;
- * - curves that do not separate the parameters, such as those of flat punches of one radius, which
- *   are straight lines for any E*, C_g and h;
- * - an uncertainty of E* above `largestUncertainty` if C_g were also unknown;
- * - no model with a sufficiently small residual.
+ * - there are too few readings;
+ * - the readings before contact are not on a straight line;
+ * - the global compliance is below 0;
+ * - the curves do not separate the parameters; for example, the curves of flat punches of one
+ *   radius are straight lines for any E*, C_g and h;
+ * - the uncertainty of E* would be above `largestUncertainty` if C_g were also unknown;
+ * - no model has a sufficiently small residual.
  *
  * Confidence intervals are those of the linearised problem. They follow from the Jacobian and from
  * the given noise or the misfit (Student's t). The intervals of E* and h are symmetric in the
- * logarithm. Cost: a few milliseconds, a tenth of a second for a layer. Immutable and safe to use
+ * logarithm. Cost: a few milliseconds, or a tenth of a second for a layer. Immutable; can be used
  * from any number of threads.
  */
 class PALPATE_EXPORT BodyIdentification
@@ -118,7 +120,8 @@ public:
 
   explicit BodyIdentification(const IdentificationOptions& options);
 
-  /// The readings of a curve need not be sorted. Many readings are averaged (ArrangedReadings.h).
+  /// Identifies the body. The readings of a curve need not be sorted. Many readings are averaged
+  /// (ArrangedReadings.h).
   IdentifiedBody identify(std::vector<IndentationCurve> curves) const;
 
   const IdentificationOptions& options() const noexcept { return this->Options; }
@@ -146,7 +149,7 @@ private:
   std::shared_ptr<const LayerKernel> Kernel;
 };
 
-/// "half-space", "half-space in series with global compliance", "layer on a rigid base".
+/// Returns "half-space", "half-space in series with global compliance" or "layer on a rigid base".
 PALPATE_EXPORT const char* nameOf(BodyModel model);
 } // namespace palpate
 

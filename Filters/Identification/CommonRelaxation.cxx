@@ -13,11 +13,12 @@ namespace
 {
 using Eigen::Index;
 
-constexpr double MergeRatio = 2.0;  // times with a smaller ratio are merged
+constexpr double MergeRatio = 2.0;  // times whose ratio is smaller are merged
 constexpr int PointsPerDecade = 10; // number of times per decade at which ψ is compared
-constexpr double TimeMargin = 5.0;  // ψ is compared from (shortest τ)/5 to 5 (longest τ)
+// ψ is compared from (shortest τ)/TimeMargin to TimeMargin (longest τ).
+constexpr double TimeMargin = 5.0;
 
-/// All branches of the sites, sorted by their times.
+/// Returns all branches of the sites, sorted by their times.
 RelaxationSpectrum gather(const std::vector<const IdentifiedBody*>& sites)
 {
   std::vector<std::pair<double, double>> branches;

@@ -12,15 +12,17 @@ namespace palpate
 {
 namespace
 {
-// Fraction of the range of deflection. A smaller reversal is noise.
+// Smallest reversal of the deflection that ends a branch, as a fraction of the range. A smaller
+// reversal is noise.
 constexpr double TurnShare = 0.1;
-// Fraction of the range. Readings at a smaller distance from a turning point are at rest.
+// Fraction of the range. Readings within this distance of a turning point are at rest.
 constexpr double RestShare = 0.01;
-// Fraction of the range before the end of a loading within which a hold may begin.
+// Fraction of the range. A hold may begin within this distance before the end of a loading.
 constexpr double NearlyShare = 0.03;
-constexpr double SpeedRatio = 1.5; // two loadings with a smaller ratio count as equally fast
+// Two loadings whose speed ratio is smaller count as equally fast.
+constexpr double SpeedRatio = 1.5;
 
-/// The readings from `first` to `last`, both included, which are in one phase.
+/// The readings from `first` to `last` (inclusive), which belong to one phase.
 struct Segment
 {
   CurvePhase phase = CurvePhase::Unknown;
@@ -42,14 +44,14 @@ std::vector<Segment> recordedSegments(const std::vector<CurvePhase>& phases)
   return segments;
 }
 
-/// Returns the turning points, each at least `step` from the preceding one, and the first and last
-/// reading.
+/// Returns the first reading, the turning points, each at least `step` (mm) from the preceding one,
+/// and the last reading.
 std::vector<std::size_t> turningPoints(const std::vector<double>& deflection, double step)
 {
   std::vector<std::size_t> turns = { 0 };
   std::size_t low = 0;
   std::size_t high = 0;
-  int direction = 0; // +1 rising, -1 falling, 0 unknown
+  int direction = 0; // +1 if rising, -1 if falling, 0 if unknown
   for (std::size_t i = 1; i < deflection.size(); ++i)
   {
     low = deflection[i] < deflection[low] ? i : low;
@@ -105,8 +107,8 @@ std::vector<Segment> foundSegments(const std::vector<double>& deflection, double
   return segments;
 }
 
-/// Returns ∫ F dδ from `low` to `high` of a branch, N mm, by the trapezoidal rule; > 0 in either
-/// direction.
+/// Returns ∫ F dδ from `low` to `high` of a branch, N mm, by the trapezoidal rule. The result is
+/// positive in either direction.
 double energy(const std::vector<double>& deflection, const std::vector<double>& force,
   const Segment& branch, double low, double high)
 {
@@ -154,7 +156,7 @@ double hysteresisOf(const MeasuredCurve& curve, const Segment& loading, const Se
   return in > 0.0 ? 1.0 - out / in : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns the relative decrease of the force between two readings while the depth is at rest.
+/// Returns the relative decrease of the force between two readings at constant depth.
 double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
 {
   constexpr std::size_t fewest = 5;
@@ -170,7 +172,7 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
       static_cast<double>(n);
   };
   const std::size_t few = 1 + count / 50;
-  double most = 0.0; // largest mean; the depth may still rise slightly at the beginning
+  double most = 0.0; // largest mean; the depth may still increase slightly at the beginning
   for (std::size_t i = first; i + few <= first + count / 2 + 1; ++i)
   {
     most = std::max(most, mean(i, few));
@@ -180,8 +182,8 @@ double lossOf(const MeasuredCurve& curve, std::size_t first, std::size_t last)
                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Computes the largest relative decrease of the force in the holds at the end of a loading, and
-/// the ends of all segments.
+/// Computes the largest relative decrease of the force in holds at the end of a loading, and the
+/// ends of all segments.
 void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments, double range,
   PreparedCurve& prepared)
 {
@@ -194,8 +196,8 @@ void judgeHolds(const MeasuredCurve& curve, const std::vector<Segment>& segments
     {
       continue;
     }
-    // The hold is a recorded phase, or consists of the readings between the branches. It includes
-    // readings that noise of the depth has displaced.
+    // The hold is either a recorded phase, or consists of the readings between the branches. It
+    // includes readings that are displaced by noise of the depth.
     const bool isNext = s + 1 < segments.size();
     const bool isHeld = isNext && segments[s + 1].phase == CurvePhase::Hold;
     const std::size_t end = isHeld ? segments[s + 1].last

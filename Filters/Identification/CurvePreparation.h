@@ -21,15 +21,16 @@ struct LoadingBranch
   double hysteresis = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is no unloading
 };
 
-/// The branches of a curve, and measures of its deviation from the curve of an elastic body.
+/// The loading branches of a curve, and measures of its deviation from the curve of an elastic
+/// body.
 struct PreparedCurve
 {
   std::vector<LoadingBranch> loads;
-  /// Largest fraction of the energy of a loading that is not recovered on its unloading; NaN if
-  /// there is no unloading.
+  /// Largest fraction of a loading's energy that is not recovered on unloading; NaN if there is no
+  /// unloading.
   double hysteresis = std::numeric_limits<double>::quiet_NaN();
-  /// Relative difference in energy, over their common depths, between the fastest and the slowest
-  /// loading; NaN if the ratio of their speeds is less than 1.5.
+  /// Relative difference in energy between the fastest and the slowest loading, over their common
+  /// depths; NaN if the ratio of their speeds is less than 1.5.
   double rateEffect = std::numeric_limits<double>::quiet_NaN();
   /// Largest relative decrease of the force in a hold at the end of a loading; NaN if there is no
   /// hold.
@@ -42,24 +43,24 @@ struct PreparedCurve
 struct ElasticityLimits
 {
   double hysteresis = 0.2;
-  double rateEffect = 0.1; ///< limit also for the largest relative decrease of the force in a hold
+  double rateEffect = 0.1; ///< also the limit for holdLoss
 };
 
 /**
- * Separates the loading branches of a curve from unloading and hold, and measures hysteresis, rate
- * effect and loss in holds.
+ * Separates the loading branches of a curve from unloadings and holds. Measures the hysteresis, the
+ * rate effect and the decrease of the force in holds.
  *
- * The branches are the recorded phases. If no phases are recorded, a branch ends at a turning
- * point, where the deflection reverses by more than a tenth of its total range. Readings during a
- * rest at a turning point belong to no branch, because the force may relax.
+ * If phases are recorded, they define the branches. Otherwise a branch ends at a turning point,
+ * where the deflection reverses by more than a tenth of its total range. Readings at rest at a
+ * turning point do not belong to a branch, because the force may relax.
  *
- * Returns the reason why the curve is refused, or "". `prepared` is set in both cases.
+ * Returns the reason why the curve is refused, or "". `prepared` is set in either case.
  */
 PALPATE_EXPORT std::string prepareCurve(
   const MeasuredCurve& curve, const ElasticityLimits& limits, PreparedCurve& prepared);
 
-/// Whether a prepared curve exceeds the limits in a way that shows relaxation. Such a curve loses
-/// energy in loops, is stiffer at a higher speed, or its force decreases during a hold.
+/// Returns whether a prepared curve exceeds the limits in a way that shows relaxation: energy is
+/// lost in loops, the curve is stiffer at a higher speed, or the force decreases during a hold.
 PALPATE_EXPORT bool relaxes(const PreparedCurve& prepared, const ElasticityLimits& limits);
 } // namespace palpate
 

@@ -15,18 +15,19 @@ namespace palpate
 {
 namespace
 {
-// Smallest ratio of the change in one direction to the change in the other.
+// Smallest ratio of the change in one direction to the change in the opposite direction.
 constexpr double SignRatio = 3.0;
-// In standard deviations of the noise. Only larger changes are significant.
+// Smallest significant change, in standard deviations of the noise.
 constexpr double NoiseFactor = 8.0;
-// Fraction of the change of force. If the first force is smaller, there is no contact.
+// Fraction of the change of force. If the first force is smaller, the first readings are without
+// contact.
 constexpr double ContactFraction = 0.25;
-// Least significant change of depth, as a fraction of the range of deflection.
+// Smallest significant change of depth, as a fraction of the range of deflection.
 constexpr double DepthFraction = 0.1;
 // Largest number of readings that count as the first readings.
 constexpr std::size_t MostStartReadings = 20;
 constexpr double UnitStrain = 0.4;   // contact radius divided by tip radius, for the check of units
-constexpr double DepthRatio = 100.0; // implausible depth, as a multiple of the depth of UnitStrain
+constexpr double DepthRatio = 100.0; // implausible depth, as a multiple of the depth at UnitStrain
 
 double median(std::vector<double> values)
 {
@@ -35,7 +36,7 @@ double median(std::vector<double> values)
   return *middle;
 }
 
-/// Returns the noise of the forces, N, estimated from neighbours in depth.
+/// Returns the noise of the forces, N, estimated from readings that are neighbours in depth.
 double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDepth)
 {
   std::vector<double> depths;
@@ -50,7 +51,7 @@ double noiseOf(const MeasuredCurve& curve, const std::vector<std::size_t>& byDep
 
 std::string fromTo(double from, double to, const char* unit)
 {
-  // + 0.0 avoids "-0".
+  // Adding 0.0 avoids the text "-0".
   return "from " + shortly(from + 0.0) + " to " + shortly(to + 0.0) + " " + unit;
 }
 } // namespace

@@ -26,7 +26,7 @@ enum Column : std::size_t
   RequiredColumns = Site
 };
 
-/// A column, and the factor that converts its numbers.
+/// A column name, and the factor that converts the numbers of the column to mm, N or s.
 struct UnitColumn
 {
   const char* name;
@@ -40,8 +40,8 @@ constexpr std::array<UnitColumn, 6> ForceColumns = { { { "force_N", 1.0 }, { "fo
 constexpr std::array<UnitColumn, 4> TimeColumns = { { { "time_s", 1.0 }, { "time_us", 1e-6 },
   { "time_ms", 1e-3 }, { "time_min", 60.0 } } };
 
-/// The factors for the numbers of a file. They contain the unit, and are negative for a quantity
-/// that decreases while the tool is pressed in.
+/// Factors by which the numbers of a file are multiplied. They convert the unit, and are negative
+/// for a quantity that decreases while the tool is pressed in.
 struct Factors
 {
   double deflection = 1.0;
@@ -70,7 +70,8 @@ std::string readTool(std::string_view text, MeasuredCurves& curves)
   return parseTool(curves.toolText, curves.tool, error) ? std::string() : "tool: " + error;
 }
 
-/// Reads "force", "deflection", or both separated by a comma. Returns a fault, or "".
+/// Reads "force", "deflection", or both separated by a comma, and changes the sign of the factors.
+/// Returns a fault, or "".
 std::string readNegative(std::string_view text, Factors& factors)
 {
   for (std::size_t begin = 0; begin <= text.size();)
@@ -87,8 +88,9 @@ std::string readNegative(std::string_view text, Factors& factors)
   return {};
 }
 
-/// Returns the column of the current record that has a quantity in one of its units, or the first
-/// of `columns` if there is no such column. Multiplies `factor` by the factor of the column.
+/// Finds the column of the current record that has a quantity in one of its units, and multiplies
+/// `factor` by the factor of this column. Returns its name, or the first name of `columns` if there
+/// is no such column.
 template <std::size_t N>
 const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns, double& factor)
 {
@@ -111,7 +113,7 @@ const char* findColumn(CsvReader& csv, const std::array<UnitColumn, N>& columns,
   return found ? found->name : columns.front().name;
 }
 
-/// Reports a fault if the name of a column has a known quantity but no known unit.
+/// Sets a fault if the name of a column has a known quantity but no known unit.
 template <std::size_t N>
 void refuseUnit(CsvReader& csv, const std::array<UnitColumn, N>& columns)
 {
@@ -151,18 +153,19 @@ void nameColumns(CsvReader& csv, Factors& factors)
     { "x_mm", "y_mm", "z_mm", deflection, force, "site", time, "phase" }, RequiredColumns);
 }
 
-/// Returns the name of a site in a file without site names: "(10, 0, 50)".
+/// Returns the name of a site in a file without site names, for example "(10, 0, 50)".
 std::string nameOf(const Eigen::Vector3d& position)
 {
   return "(" + shortestDecimals(position[0]) + ", " + shortestDecimals(position[1]) + ", " +
     shortestDecimals(position[2]) + ")";
 }
 
-/// Adds the last record of `csv` to the curve of its site. `index` maps sites to curves.
+/// Adds the current record of `csv` to the curve of its site. `index` maps the names of sites to
+/// indices in `curves`.
 void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, std::size_t>& index,
   std::vector<MeasuredCurve>& curves)
 {
-  // The numbers are read in this order.
+  // Braces guarantee that x, y and z are read in this order.
   const Eigen::Vector3d position{ csv.number(X), csv.number(Y), csv.number(Z) };
   const bool isNamed = csv.hasColumn(Site);
   const std::string site = isNamed ? std::string(csv.text(Site))
@@ -212,8 +215,9 @@ void readReading(CsvReader& csv, const Factors& factors, std::map<std::string, s
   curve.force.push_back(force);
 }
 
-/// Reads the readings, starting with the names of the columns. The tool of `read` may already be
-/// set. Returns a fault, or "".
+/// Reads the readings, starting with the names of the columns. The tool in `read` may already be
+/// set. Returns a fault, or
+/// "".
 std::string readReadings(
   CsvReader& csv, const std::string& name, MeasuredCurves read, MeasuredCurves& curves)
 {
@@ -285,7 +289,7 @@ std::string readCurves(const CurvesTable& table, MeasuredCurves& curves)
   {
     return table.name + ": " + fault;
   }
-  std::size_t records = 0; // the first record has the names of the columns
+  std::size_t records = 0; // the first record contains the names of the columns
   CsvReader csv(
     [&](std::vector<std::string>& fields)
     {

@@ -16,8 +16,8 @@ struct Estimate
   double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Return an estimate with its interval. `error` is half the width of the interval: of ln value for
-/// logarithmicEstimate(), of value for linearEstimate().
+/// Return an estimate with its confidence interval. `error` is half the width of the interval: of
+/// ln value for logarithmicEstimate(), and of value for linearEstimate().
 PALPATE_EXPORT Estimate logarithmicEstimate(double value, double error);
 PALPATE_EXPORT Estimate linearEstimate(double value, double error);
 

@@ -4,12 +4,12 @@
 
 namespace palpate
 {
-/// The force that an instrument reads without contact: a straight line over the depth.
+/// The force that an instrument reads without contact, as a straight line over the depth.
 struct ForceBaseline
 {
   double offset = 0.0;    ///< N, at the reference depth
   double drift = 0.0;     ///< N/mm
-  double reference = 0.0; ///< mm
+  double reference = 0.0; ///< reference depth, mm
 
   double at(double deflection) const
   {
@@ -25,11 +25,13 @@ enum class BaselineTerms
   OffsetAndDrift
 };
 
-/// Depth of first contact, baseline of the force and modulus of the body. Initial values for fits.
+/// Depth of first contact, baseline of the force, and modulus of the body, used as initial values
+/// of fits.
 struct FirstContact
 {
-  double depth = 0.0;   ///< mm
-  double modulus = 0.0; ///< E* of a half-space, MPa; 0 if the force does not rise with the depth
+  double depth = 0.0; ///< mm
+  /// E* of a half-space, MPa; 0 if the force does not increase with the depth.
+  double modulus = 0.0;
   ForceBaseline baseline;
   BaselineTerms terms = BaselineTerms::None;
 };

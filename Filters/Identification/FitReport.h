@@ -9,29 +9,31 @@
 
 namespace palpate
 {
-/// Returns the factor (N) from a standard error per newton of noise (BodyFit::errorPerNoise) to
-/// half a 95 % interval. Noise, misfit and largest force of `found` must be set. Student's t is
-/// used if the noise is estimated from the data, or is less than the residual.
+/// Returns the factor (N) that converts a standard error per newton of noise
+/// (BodyFit::errorPerNoise) to half a 95 % interval. Noise, misfit and largest force of `found`
+/// must be set. Student's t is used if the noise is estimated from the data, or is smaller than the
+/// residual.
 double intervalWidth(const BodyFit& fit, bool isNoiseGiven, const IdentifiedBody& found);
 
-/// Returns a message that a model has no fit.
+/// Returns a message that the fit of a model has failed.
 std::string noBody(const std::string& model);
 
-/// Returns the reason why the readings of a curve do not suffice. The message includes the number
-/// of readings that small strain excludes.
+/// Returns a message that the readings of a curve do not suffice: `readings` remain of `of`
+/// readings. The message includes the number of readings excluded because of their strain.
 std::string tooFew(std::size_t readings, std::size_t of, double largestStrain);
-/// Returns the number of readings that small strain excludes, in words; "" if it excludes none.
+/// Returns the number of readings excluded because of their strain, in words; "" if none are
+/// excluded.
 std::string leftOut(std::size_t readings, std::size_t of, double largestStrain);
 /// Returns the terms of the baselines that the readings before contact do not determine, in words;
-/// "" if all are determined, or if `findContact` is false.
+/// "" if all terms are determined, or if `findContact` is false.
 std::string undeterminedBaseline(const BodyFit& fit, bool findContact);
 
-/// Stores the body of a fit, with intervals of the width `width`. Returns the index of the next
-/// error in BodyFit::errorPerNoise.
+/// Stores the body of a fit in `found`, with intervals of the width `width`. Returns the index of
+/// the next error in BodyFit::errorPerNoise.
 Eigen::Index reportBody(const BodyFit& fit, double width, bool findContact, IdentifiedBody& found);
 
-/// Stores the end of a tool's readings, at `depth` (mm) below first contact, if its contact is
-/// larger than the stored contact.
+/// Stores the contact of a tool at the end of its readings, at `depth` (mm) below first contact, if
+/// this contact is larger than the stored contact.
 void reportEnd(const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   double depth, IdentifiedBody& found);
 } // namespace palpate

@@ -10,12 +10,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double DeviationPerMedian = 1.482602218505602; // 1/Φ⁻¹(3/4), for normal noise
-// Fraction of the range of depths. Readings with a smaller distance have equal depth.
+// 1/Φ⁻¹(3/4); ratio of standard deviation to median for normal noise.
+constexpr double DeviationPerMedian = 1.482602218505602;
+// Fraction of the range of depths. Readings whose depths differ by less count as readings at equal
+// depth.
 constexpr double TieShare = 1e-9;
 
-/// Returns a combination of four readings that is 0 for a parabola, scaled to the noise of one
-/// reading.
+/// Returns a linear combination of four readings that is 0 for a parabola, scaled to the noise of
+/// one reading.
 double residual(const double* x, const double* y, double tie)
 {
   for (int i = 0; i < 3; ++i)

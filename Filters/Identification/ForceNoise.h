@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// The standard deviation of the force readings, N, and its accuracy, as an equivalent number of
-/// independent readings.
+/// The standard deviation of the force readings, N, and its accuracy, expressed as an equivalent
+/// number of independent readings.
 struct ForceNoise
 {
   double deviation = 0.0;
@@ -18,14 +18,14 @@ struct ForceNoise
 };
 
 /**
- * Estimates the noise as the median of the residuals of parabolas through each run of four
- * neighbouring readings. Therefore the kink at first contact and single outliers have no effect.
- * Depths must be ascending. Readings of several loadings at one depth are compared with each other.
- * Therefore differences between loadings count as noise.
+ * Estimates the noise as the median residual of parabolas through each run of four neighbouring
+ * readings. With the median, the kink at first contact and single outliers have no effect. Depths
+ * must be ascending. Readings of several loadings at one depth are compared with each other, so
+ * that differences between loadings count as noise.
  *
  * A median of absolute deviations is as accurate as 0.37 n independent readings (Rousseeuw and
- * Croux 1993). Overlapping runs share readings; therefore n/4 is used. NaN for fewer than four
- * readings.
+ * Croux 1993). Overlapping runs share readings; therefore n/4 is used. The result is NaN for fewer
+ * than four readings.
  */
 PALPATE_EXPORT ForceNoise estimateForceNoise(
   const std::vector<double>& deflection, const std::vector<double>& force);

@@ -14,7 +14,7 @@ struct Minimum
 };
 
 /// Moves p to the nearest minimum of the sum of squares (Levenberg and Marquardt). `tolerance` is
-/// the relative tolerance of a step, `evaluations` the largest number of evaluations.
+/// the relative tolerance of a step. `evaluations` is the largest number of evaluations.
 template <class Residuals>
 Minimum minimize(Residuals& residuals, Eigen::VectorXd& p, double tolerance, int evaluations = 200)
 {

@@ -24,8 +24,8 @@ enum class CurvePhase
  * The readings of one tool at one site, in the order of measurement. They may contain several
  * loadings.
  *
- * Deflection (mm) and force (N) are > 0 into the body. The origin of the deflection is that of the
- * instrument; the contact point is determined later (BodyIdentification.h).
+ * Deflection (mm) and force (N) are positive into the body. The origin of the deflection is that of
+ * the instrument; the depth of first contact is determined later (BodyIdentification.h).
  */
 struct MeasuredCurve
 {
@@ -33,8 +33,8 @@ struct MeasuredCurve
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< mm
   std::vector<double> deflection;
   std::vector<double> force;
-  std::vector<double> time;      ///< s, never decreasing; empty: not recorded
-  std::vector<CurvePhase> phase; ///< empty: not recorded
+  std::vector<double> time;      ///< s, never decreasing; empty if it was not recorded
+  std::vector<CurvePhase> phase; ///< empty if it was not recorded
 };
 
 /// The curves of one tool, as in a file.
@@ -43,7 +43,7 @@ struct MeasuredCurves
   std::string file;
   ToolSpecification tool;
   std::string toolText;  ///< text of the tool in the file
-  std::string synthetic; ///< method by which computed curves were made; empty for measured curves
+  std::string synthetic; ///< description of how the curves were computed; empty for measured curves
   std::vector<MeasuredCurve> curves;
 };
 } // namespace palpate

@@ -53,8 +53,8 @@ bool hasTimes(const SiteCurve& curve)
   return time.size() > 1 && time.back() > time.front();
 }
 
-/// Prepares a curve and judges it after subtraction of its baseline, whose force would contribute
-/// to every energy.
+/// Prepares a curve after its baseline is subtracted, because the force of the baseline would
+/// contribute to every energy.
 std::string prepareNet(const ElasticityLimits& limits, bool findContact, SiteCurve& curve)
 {
   std::string fault = prepareCurve(curve.curve, limits, curve.prepared);
@@ -92,8 +92,8 @@ void identifyAsRelaxing(const BodyIdentification& identification, MeasuredSite& 
   site.refusal = site.body.refusal;
 }
 
-/// Returns the loop, hold or effect of speed that shows relaxation of the site, in words; "" if
-/// there is none.
+/// Describes the loop, hold or effect of speed that shows that the site relaxes; "" if there is
+/// none.
 std::string signOfRelaxation(const MeasuredSite& site, const ElasticityLimits& limits)
 {
   for (const SiteCurve& curve : site.curves)
@@ -114,7 +114,7 @@ void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site)
 {
   std::vector<IndentationCurve> loadings;
-  bool isJudged = true; // whether relaxation is the reason of every refusal
+  bool isJudged = true; // whether every refusal was caused by relaxation
   bool areTimed = true;
   for (SiteCurve& curve : site.curves)
   {

@@ -34,14 +34,14 @@ struct MeasuredSite
 };
 
 /// Collects the curves of each site from several files, in the order in which they occur. Each file
-/// has the curves of one tool. Returns an error that names a site with different positions in two
-/// files, or "".
+/// has the curves of one tool. Returns an error message if a site has different positions in two
+/// files, else "".
 PALPATE_EXPORT std::string collectSites(
   const std::vector<MeasuredCurves>& files, std::vector<MeasuredSite>& sites);
 
-/// Prepares the curves of the site and identifies its body. Sets `refusal` on failure. If a loop, a
-/// hold or an effect of speed exceeds the limits, and all curves have times, a relaxing body is
-/// identified (RelaxingIdentification.h). If the options contain the relaxation, a relaxing body is
+/// Prepares the curves of the site and identifies its body. Sets `refusal` on failure. A relaxing
+/// body is identified (RelaxingIdentification.h) if a loop, a hold or an effect of speed exceeds
+/// the limits, and all curves have times. If the options contain the relaxation, a relaxing body is
 /// assumed at every site with times.
 PALPATE_EXPORT void identifySite(
   const ElasticityLimits& limits, const BodyIdentification& identification, MeasuredSite& site);

@@ -12,10 +12,11 @@
 namespace palpate
 {
 /**
- * Packs a fitted body and the first contacts of its curves into parameters of order one. The order
- * is: ln E*; C_g divided by a reference, or ln h; the depths of contact divided by a reference
- * depth; the fitted offset and drift of each baseline divided by the largest force. Residuals are
- * relative to the largest force. This is the common base class of all residuals.
+ * Packs a fitted body and the first contacts of its curves into parameters of order one, in this
+ * order: ln E*; C_g divided by a reference, or ln h; the depths of first contact divided by a
+ * reference depth; the fitted offset and drift of each baseline divided by the largest force.
+ * Residuals are divided by the largest force. This is the common base class of all residual
+ * classes.
  */
 class PackedBody
 {
@@ -32,6 +33,7 @@ public:
   };
 
   Eigen::Index values() const { return this->Count; }
+  /// Number of parameters of the material: 1 for a half-space, else 2.
   Eigen::Index materialCount() const { return this->Model == BodyModel::HalfSpace ? 1 : 2; }
   /// Number of parameters for the material and the first contacts.
   Eigen::Index bodyInputs() const
@@ -40,7 +42,8 @@ public:
   }
   double force() const { return this->Force; }
   double depth() const { return this->Depth; }
-  /// The C_g with which the largest force causes a deflection of the whole range of depth.
+  /// Returns the C_g with which the largest force causes a deflection equal to the whole range of
+  /// depth.
   double compliance() const { return this->Depth / this->Force; }
 
   BodyParameters body(const Eigen::VectorXd& p) const;
@@ -52,15 +55,15 @@ public:
   }
   ForceBaseline baseline(const Eigen::VectorXd& p, std::size_t curve) const;
 
-  /// Whether a sum of squares is that of a valid body. Steps to an invalid body have residuals of
-  /// Astray.
+  /// Returns whether a sum of squares is that of a valid body. For an invalid body, each residual
+  /// is Astray.
   static bool isBody(double squares) { return squares < Astray * Astray; }
 
-  /// Computes separation, spread, and errors of body and offsets from the Jacobian at the minimum.
-  /// Does not unpack the errors of further parameters.
+  /// Computes the separation, the spread, and the errors of body and offsets from the Jacobian at
+  /// the minimum. Errors of parameters after those of PackedBody are not unpacked.
   void judge(const Eigen::MatrixXd& jacobian, BodyFit& fit) const;
   /// Returns the standard error of ln E* divided by the standard deviation of the noise (N), from
-  /// the same Jacobian.
+  /// the Jacobian at the minimum.
   double modulusError(const Eigen::MatrixXd& jacobian) const;
 
 protected:
@@ -73,16 +76,16 @@ protected:
   /// Sets the derivatives of a residual with respect to the baseline of its curve.
   void fillBaseline(Eigen::MatrixXd& jacobian, Eigen::Index row, std::size_t curve,
     double deflection, double readings) const;
-  /// Whether a step resulted in a valid body.
+  /// Returns whether a step has resulted in a valid body.
   static bool isUsable(const BodyParameters& body);
-  /// The scale by which ln h or C_g is packed.
+  /// Scale by which C_g is packed; 1 for ln h.
   double secondScale() const
   {
     return this->Model == BodyModel::GlobalCompliance ? this->compliance() : 1.0;
   }
 
   /// The residual of an invalid body or of a force that is not finite. It is so large that the
-  /// method rejects the step.
+  /// optimiser rejects the step.
   static constexpr double Astray = 1e3;
 
   BodyModel Model;
@@ -93,7 +96,7 @@ protected:
   double Depth = 0.0;     ///< largest range of a curve, mm
 
 private:
-  /// Index of the first parameter of a curve's baseline, and the number of its parameters.
+  /// Index of the first parameter of a curve's baseline, and the number of these parameters.
   Eigen::Index firstOfBaseline(std::size_t curve) const;
   Eigen::Index countOfBaseline(std::size_t curve) const
   {

@@ -12,19 +12,19 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ManyReadings = 600; // if there are more readings, they are averaged
-constexpr double DepthShare = 0.005; // fraction of the range within which readings are averaged
-// Fraction of the time since the last turning point within which readings are averaged.
+constexpr std::size_t ManyReadings = 600; // number of readings above which readings are averaged
+constexpr double DepthShare = 0.005;      // fraction of the range over which readings are averaged
+// Fraction of the time since the last turning point over which readings are averaged.
 constexpr double TimeShare = 0.03;
-// Fraction of the range. If two points are farther apart, points are inserted between them.
+// Fraction of the range. Between two points that are farther apart, points are inserted.
 constexpr double StepShare = 0.02;
-// Fraction of the time of a press. Shorter relaxation times are not resolved.
+// Shortest resolved relaxation time, as a fraction of the time of a press.
 constexpr double RampShare = 1.0 / 15.0;
-// Uncertainty of the estimated contact as a fraction of the depth.
+// Uncertainty of the estimated depth of first contact, as a fraction of the depth.
 constexpr double ContactShare = 0.1;
-constexpr double LittleShare = 0.02; // a reversal by a smaller fraction of the depth is noise
+constexpr double LittleShare = 0.02; // a reversal by less than this fraction of the depth is noise
 
-/// Returns the first reading of each group, and finally the number of readings.
+/// Returns the index of the first reading of each group, and finally the number of readings.
 std::vector<std::size_t> groupsOf(
   const MeasuredCurve& curve, const std::vector<std::size_t>& turns, double range, double slack)
 {
@@ -50,7 +50,7 @@ std::vector<std::size_t> groupsOf(
   return starts;
 }
 
-/// Returns the least time between two points with readings, s.
+/// Returns the smallest time between two points with readings, s.
 double closestReadings(const PressHistory& history)
 {
   double closest = std::numeric_limits<double>::infinity();
@@ -92,7 +92,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
        slack *= 1.5)
   {
     starts = groupsOf(curve, prepared.turns, range, slack);
-    if (slack > 1e6) // there are nearly as many turning points as readings
+    if (slack > 1e6) // the loop ends: there are nearly as many turning points as readings
     {
       break;
     }
@@ -109,7 +109,7 @@ PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curv
     const double time = mean(curve.time);
     const double deflection = mean(curve.deflection);
     // Inserts points between the points with readings. Before contact no inserted points are
-    // necessary.
+    // needed.
     if (g > 0 && std::max(deflection, history.deflection.back()) > contact - ContactShare * range)
     {
       const double lastTime = history.time.back();
@@ -146,8 +146,9 @@ TimeWindow windowOf(const std::vector<PressHistory>& histories, const std::vecto
         ++i;
         continue;
       }
-      std::size_t end = i;                                       // end of this press
-      double deepest = -std::numeric_limits<double>::infinity(); // deepest point with a reading
+      std::size_t end = i; // index after the last point of this press
+      // Largest depth of a point with a reading.
+      double deepest = -std::numeric_limits<double>::infinity();
       for (; end < history.size() && deflection[end] - offsets[c] > little; ++end)
       {
         deepest = history.readings[end] > 0.0 ? std::max(deepest, deflection[end]) : deepest;

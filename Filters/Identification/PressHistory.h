@@ -14,8 +14,8 @@
 namespace palpate
 {
 /**
- * Depth and force of one tool on a body in the order of time: presses, holds, releases. Between
- * points the depth is linear in time. The body was at rest before the first point.
+ * Depth and force of one tool on a body in the order of time, with presses, holds and releases.
+ * Between points the depth changes linearly with time. The body was at rest before the first point.
  */
 struct PressHistory
 {
@@ -25,32 +25,33 @@ struct PressHistory
   std::vector<double> force;      ///< N
   /// Number of readings averaged at each point; 0 for an inserted point without a reading.
   std::vector<double> readings;
-  IndentationCurve loading; ///< the arranged loadings only, for the initial values of a fit
+  IndentationCurve loading; ///< only the loadings, arranged; used for the initial values of a fit
   ForceNoise noise;         ///< noise of a reading
 
   std::size_t size() const noexcept { return this->time.size(); }
-  /// Returns the force of a point minus the estimated baseline, N.
+  /// Returns the force at a point minus the estimated baseline, N.
   double netForce(std::size_t point) const
   {
     return this->force[point] - this->loading.start.baseline.at(this->deflection[point]);
   }
 };
 
-/// Makes a history from a curve with times. If it has more than 600 readings, readings that are
-/// neighbours in time are averaged over about 0.5 % of the depth of contact and 3 % of the time
-/// since the last turning point.
+/// Creates a history from a curve with times. If the curve has more than 600 readings, consecutive
+/// readings are averaged over about 0.5 % of the depth of contact and 3 % of the time since the
+/// last turning point.
 PALPATE_EXPORT PressHistory makeHistory(const AxisymmetricTool& tool, const MeasuredCurve& curve,
   const PreparedCurve& prepared, bool findContact);
 
 /// The range of relaxation times that a test can resolve, s.
 struct TimeWindow
 {
-  double shortest = 0.0; ///< 1/15 of the fastest press, or the least time between readings
-  double longest = 0.0;  ///< the longest time in contact before the depth reverses
+  /// 1/15 of the duration of the fastest press, or the smallest time between readings, s.
+  double shortest = 0.0;
+  double longest = 0.0; ///< the longest time in contact before the depth reverses, s
 };
 
-/// Returns the range of times from the points with readings. `offsets` is the deflection of first
-/// contact of each history, mm.
+/// Returns the range of relaxation times that follows from the points with readings. `offsets` has
+/// the deflection at first contact of each history, mm.
 PALPATE_EXPORT TimeWindow windowOf(
   const std::vector<PressHistory>& histories, const std::vector<double>& offsets);
 } // namespace palpate

@@ -21,26 +21,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double BranchRatio = 9.210; // χ² with two degrees of freedom, 1 %
-// Additional penalty for branches that are not determined. Noise exceeds the whole penalty once in
+constexpr double BranchRatio = 9.210; // 1 % limit of χ² with two degrees of freedom
+// Additional penalty for branches that are not determined. Noise exceeds the total penalty once in
 // a million fits.
 constexpr double Doubt = 2.0 * BranchRatio;
-// Least ratio of neighbouring times; branches with a smaller ratio are merged.
+// Smallest ratio of neighbouring relaxation times. Branches with a smaller ratio are merged.
 constexpr double LeastTimeRatio = 1.5;
 constexpr std::size_t CoarseBlocks = 1;
 
-/// The end of a fit: a relative step, or a number of evaluations.
+/// Condition at which a fit ends: a relative step, or a number of evaluations.
 struct Ending
 {
   double tolerance;
   int evaluations;
 };
-// Limited because the steps do not converge if there are too many branches.
+// The number of evaluations is limited, because the fit does not converge if there are too many
+// branches.
 constexpr Ending Coarse{ 1e-4, 30 };
-constexpr Ending Fine{ 1e-7, 200 }; // far below the uncertainty caused by noise
+constexpr Ending Fine{ 1e-7, 200 }; // far below the uncertainty due to noise
 
-/// Returns the initial bodies of fits: the elastic body fitted to the loadings, and a body that is
-/// nearly local.
+/// Returns the initial bodies of fits: the elastic body fitted to the loadings, and a body whose
+/// deformation is nearly local.
 std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histories,
   BodyModel model, bool findContact, const std::shared_ptr<const LayerKernel>& kernel)
 {
@@ -68,7 +69,7 @@ std::vector<RelaxingBody> startingBodies(const std::vector<PressHistory>& histor
     return starts;
   }
   const std::optional<BodyFit> fit = fitBody(loads, model, findContact, kernel);
-  // The compliance is negative if the speed of the loading increased.
+  // The compliance is negative if the speed increased during the loading.
   if (fit && !(fit->body.compliance < 0.0))
   {
     add(*fit);
@@ -129,7 +130,7 @@ bool areApart(const PronySeries& series)
   return true;
 }
 
-/// Whether the readings determine all branches of the fit to within a factor of twenty.
+/// Returns whether the readings determine all branches of the fit to within a factor of twenty.
 bool isDetermined(const RelaxationFit& fit, double noise)
 {
   const auto branches = static_cast<Index>(fit.series.count);
@@ -137,7 +138,7 @@ bool isDetermined(const RelaxationFit& fit, double noise)
     fit.errorPerNoise.tail(2 * branches).maxCoeff() * noise * Normal95 < std::log(20.0);
 }
 
-/// Fits from one initial body. Returns nothing on failure.
+/// Fits a relaxing body, starting from one initial body. Returns no value on failure.
 std::optional<RelaxationFit> fitFrom(const std::vector<PressHistory>& histories,
   const RelaxationProblem& problem, const RelaxingBody& start, Ending ending)
 {
@@ -230,7 +231,7 @@ std::optional<RelaxationFit> fitRelaxingBody(const std::vector<PressHistory>& hi
   const RelaxingBody about{ best->body, best->series, best->contactOffset, best->baseline };
   if (given.count == 0)
   {
-    // Finds the number of branches. Each additional branch must reduce the score.
+    // Determines the number of branches. Each additional branch must reduce the score.
     const RelaxationSpectrum spectrum = spectrumAt(about);
     std::optional<RelaxationFit> chosen;
     for (std::size_t k = 1; k <= std::min(spectrum.time.size(), PronySeries::LargestCount); ++k)

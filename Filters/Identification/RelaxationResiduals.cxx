@@ -13,11 +13,12 @@ namespace
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double LogStep = 1e-6;     // step of ln p and ln τ; the error of the differences is 1e-6
-constexpr double OffsetStep = 1e-5;  // step of the offset as a fraction of the depth
+// Step of ln p and ln τ for finite differences, whose error is 1e-6.
+constexpr double LogStep = 1e-6;
+// Step of the offset for finite differences, as a fraction of the depth.
+constexpr double OffsetStep = 1e-5;
 constexpr double LargestLog = 25.0;  // largest magnitude of ln p
-constexpr double LargestTime = 40.0; // largest magnitude of ln τ, τ in s
+constexpr double LargestTime = 40.0; // largest magnitude of ln τ, with τ in s
 
 bool isUsable(const PronySeries& series)
 {
@@ -46,7 +47,8 @@ std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body
     curve.force = VectorXd::Zero(count);
   }
   curves[0].stiffness = VectorXd::Zero(count);
-  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness; // the stiffness at 0 is not used
+  // Any finite value, because the stiffness at 0 is not used.
+  curves[0].stiffness[0] = law.at(1e-3 * depths[1]).stiffness;
   for (Index j = 1; j < count; ++j)
   {
     const Sensitivity at = law.at(depths[j]);
@@ -190,7 +192,7 @@ void RelaxationResiduals::fillRows(const RelaxingBody& trial, std::size_t index,
       }
     }
   }
-  if (!(depth > 0.0)) // no contact
+  if (!(depth > 0.0)) // there is no contact
   {
     if (residuals)
     {

@@ -24,8 +24,8 @@ struct RelaxingBody
   std::vector<ForceBaseline> baseline;
 };
 
-/// The unknowns of a fit: the model, the number of branches (if 0, `given` is used), and the number
-/// of blocks of elements.
+/// The unknowns of a fit: the model, the number of branches, and the number of blocks of elements.
+/// If the number of branches is 0, `given` is used.
 struct RelaxationProblem
 {
   BodyModel model = BodyModel::HalfSpace;
@@ -38,10 +38,11 @@ struct RelaxationProblem
 
 /**
  * The residuals of histories, for Eigen's LevenbergMarquardt. The parameters are those of
- * PackedBody, then ln p_i, then ln τ_i.
+ * PackedBody, followed by ln p_i and ln τ_i.
  *
  * Derivatives with respect to the parameters of the body are exact, because the elements do not
- * depend on the body. Derivatives with respect to offsets, strengths and times are differences.
+ * depend on the body. Derivatives with respect to offsets, strengths and times are finite
+ * differences.
  */
 class RelaxationResiduals : public PackedBody
 {
@@ -76,8 +77,8 @@ private:
   RelaxationProblem Problem;
 };
 
-/// Returns the slow curve of a body at the depths of a foundation, then its derivatives with
-/// respect to ln E* and, if the model has such a parameter, to C_g or ln h.
+/// Returns the slow curve of a body at the depths of a foundation, followed by its derivatives with
+/// respect to ln E* and, if the model has this parameter, to C_g or ln h.
 std::vector<RelaxingFoundation::SlowCurve> slowCurves(const BodyParameters& body,
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel,
   const RelaxingFoundation& foundation);

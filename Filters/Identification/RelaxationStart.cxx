@@ -16,12 +16,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double TimesPerDecade = 3.0;
-// Fraction of the largest force. Readings with smaller forces may be at the end of the contact.
+// Fraction of the largest force. Readings with smaller forces are ignored, because the contact may
+// be about to end.
 constexpr double LeastForce = 0.1;
-// Least strength of the slow response, as a fraction of the whole response.
+// Smallest strength of the slow response, as a fraction of the whole response.
 constexpr double LeastShare = 0.02;
 
-// Strength of a branch if none is found, as a fraction of the slow response.
+// Strength of the branch that is used if none is found, as a fraction of the slow response.
 constexpr double DefaultShare = 0.2;
 
 std::vector<double> timeGrid(const TimeWindow& window)
@@ -46,7 +47,7 @@ RelaxationSpectrum RelaxationSpectrum::merged(std::size_t count) const
   RelaxationSpectrum left = *this;
   while (left.time.size() > count)
   {
-    // Ward's rule: merges the pair whose merging causes the smallest change.
+    // Ward's rule: merges the pair of branches for which the change is smallest.
     std::size_t best = 0;
     double least = 0.0;
     for (std::size_t i = 0; i + 1 < left.time.size(); ++i)
@@ -77,7 +78,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
   const RelaxingBody& about, const std::shared_ptr<const LayerKernel>& kernel,
   const TimeWindow& window)
 {
-  if (!(window.shortest > 0.0)) // no contact
+  if (!(window.shortest > 0.0)) // there is no contact
   {
     return {};
   }
@@ -145,7 +146,7 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
     }
   }
   spectrum.slow = std::max(spectrum.slow, LeastShare * shares.sum());
-  if (spectrum.time.empty()) // the fit will then find no branch
+  if (spectrum.time.empty()) // the fit is then expected to reject the branch
   {
     spectrum.time.push_back(std::sqrt(window.shortest * window.longest));
     spectrum.strength.push_back(DefaultShare * spectrum.slow);
@@ -156,7 +157,8 @@ RelaxationSpectrum startingSpectrum(const std::vector<PressHistory>& histories,
 RelaxingBody withSpectrum(RelaxingBody about, const RelaxationSpectrum& spectrum)
 {
   about.body.reducedModulus *= spectrum.slow;
-  // The shape of the curve depends on the product of C_g and E*. Therefore this product is kept.
+  // The shape of the curve depends on the product of C_g and E*. Therefore this product is kept
+  // constant.
   about.body.compliance /= spectrum.slow;
   about.series = {};
   for (std::size_t i = 0; i < spectrum.time.size(); ++i)

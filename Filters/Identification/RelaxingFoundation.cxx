@@ -14,7 +14,7 @@ using Eigen::Index;
 constexpr std::size_t BlockSize = RelaxationElements::LargestCount;
 } // namespace
 
-/// A curve in the form of the increments in slope of its chords, one for each element.
+/// A curve, given by the increments of the slopes of its chords, one increment for each element.
 struct RelaxingFoundation::Prepared
 {
   std::vector<RelaxationElements::Values> weights;
@@ -52,7 +52,7 @@ RelaxingFoundation::Prepared RelaxingFoundation::prepare(const SlowCurve& curve)
   return prepared;
 }
 
-/// Returns the curve (cubic, with its slopes) minus its chords.
+/// Returns the difference between the curve (cubic interpolation with slopes) and its chords.
 double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
 {
   const Index last = this->Depths.size() - 1;
@@ -60,7 +60,7 @@ double RelaxingFoundation::remainder(const SlowCurve& curve, double depth) const
   {
     return 0.0;
   }
-  // Rounding errors may change the index by one.
+  // Rounding errors may change the index j by one.
   auto j = static_cast<Index>(static_cast<double>(last) * std::sqrt(depth / this->Depths[last]));
   j = std::clamp<Index>(j, 0, last - 1);
   const double width = this->Depths[j + 1] - this->Depths[j];
@@ -87,7 +87,7 @@ Eigen::MatrixXd RelaxingFoundation::follow(const PressHistory& history, double o
   RelaxationStep step(series, 0.0);
   double lasts = 0.0; // duration of `step`, s
   double before = 0.0;
-  // The history begins in contact. Therefore the press began before the first reading.
+  // If the history begins in contact, the press began before the first reading.
   if (history.size() > 1 && history.deflection[0] > offset)
   {
     const double way = history.deflection[1] - history.deflection[0];

@@ -15,8 +15,8 @@
 namespace palpate
 {
 /**
- * The force of a relaxing body over a history of presses, holds and releases. It uses
- * RelaxationElements, but more elements than a servo tick. Therefore it is accurate enough for a
+ * Computes the force of a relaxing body over a history of presses, holds and releases. It uses
+ * RelaxationElements, with more elements than the servo tick, so that it is accurate enough for a
  * comparison with readings. The slow curve is given by its forces at the gaps of the elements, D
  * (j/n)², and at its end D. Several curves share the elements.
  *
@@ -27,22 +27,22 @@ namespace palpate
 class PALPATE_EXPORT RelaxingFoundation
 {
 public:
-  /// A curve at depths(): forces and, for higher accuracy, dF/dδ. The latter may be empty.
+  /// A curve at depths(): forces and, for higher accuracy, dF/dδ, which may be empty.
   struct SlowCurve
   {
     Eigen::VectorXd force;
     Eigen::VectorXd stiffness;
   };
 
-  /// Makes 33 elements per block, down to `depth` (mm, > 0).
+  /// Creates 33 elements per block, down to `depth` (mm, > 0).
   RelaxingFoundation(double depth, std::size_t blocks);
 
   /// Depths from 0 to the end, mm. There is one more depth than elements.
   const Eigen::VectorXd& depths() const noexcept { return this->Depths; }
 
   /// Returns the force of each curve (column) at each point of a history (row), N. `offset` is the
-  /// deflection of first contact, mm. A history that begins in contact is extended backwards at its
-  /// initial speed.
+  /// deflection at first contact, mm. A history that begins in contact is extrapolated backwards at
+  /// its initial speed.
   Eigen::MatrixXd follow(const PressHistory& history, double offset, const PronySeries& series,
     const std::vector<SlowCurve>& curves) const;
 

@@ -20,7 +20,7 @@ namespace
 {
 using Eigen::Index;
 
-// Relative width of the interval of E*; a wider interval causes a remark.
+// Relative width of the confidence interval of E* above which a remark is made.
 constexpr double WideInterval = 0.2;
 
 std::string seconds(double time)
@@ -28,14 +28,14 @@ std::string seconds(double time)
   return shortly(time) + " s";
 }
 
-/// Returns the number of compared readings.
+/// Returns the number of readings that are compared with the fit.
 std::size_t countOf(const PressHistory& history)
 {
   return static_cast<std::size_t>(
     std::accumulate(history.readings.begin(), history.readings.end(), 0.0));
 }
 
-/// Identifies one site.
+/// Identifies a relaxing body at one site.
 class Identifier
 {
 public:
@@ -52,14 +52,14 @@ public:
     IdentifiedBody result;
     result.refusal = this->All.empty() ? "there is no loading" : "";
     result.refusal = result.refusal.empty() ? this->judge() : result.refusal;
-    // The readings within small strain depend on the body. Therefore fit and choice of readings
-    // alternate.
+    // Which readings are within small strain depends on the body. Therefore the fit and the
+    // selection of readings alternate.
     for (int pass = 0; pass < FitLimits::LargestPassCount && this->Fit && this->selectReadings();
          ++pass)
     {
       const std::optional<RelaxationFit> before = this->Fit;
       const std::string fault = this->judge();
-      if (!this->Fit) // the remaining readings determine no body
+      if (!this->Fit) // the remaining readings do not determine a body
       {
         this->Fit = before;
         result.refusal = result.refusal.empty() ? fault : result.refusal;
@@ -253,7 +253,8 @@ private:
       [](const PressHistory& history) { return isFlat(*history.tool); });
   }
 
-  /// Excludes readings that are too deep for a linear law. Returns true if the choice has changed.
+  /// Excludes readings that are too deep for a linear law. Returns whether the selection has
+  /// changed.
   bool selectReadings()
   {
     bool changed = false;
@@ -278,7 +279,8 @@ private:
     return changed;
   }
 
-  /// Whether small strain excludes more than half of the test's longest time in contact.
+  /// Returns whether more than half of the test's longest time in contact is excluded because of
+  /// its strain.
   bool isHoldTooDeep() const
   {
     return !this->isGiven() && this->Fit &&
@@ -337,7 +339,7 @@ private:
     }
   }
 
-  /// Returns the times that the test resolves, and the times that it does not resolve, in words.
+  /// Describes the relaxation times that the test resolves, and those that it does not resolve.
   std::string remarkOn(const IdentifiedBody& result, double modulusError) const
   {
     const PronySeries& series = result.relaxation;
@@ -371,7 +373,7 @@ private:
   std::vector<PressHistory> All;
   std::vector<PressHistory> Used;
   ForceNoise Noise;
-  ForceNoise Coarse; ///< the noise, but at least the accuracy of a law
+  ForceNoise Coarse; ///< the noise, but at least the error of a law
   std::optional<RelaxationFit> Fit;
   double LargestForce = 0.0;
   bool WithinNoise = false;

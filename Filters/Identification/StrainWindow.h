@@ -9,17 +9,17 @@
 namespace palpate
 {
 /// Returns the local depth (without a compliance in series), mm, up to which a linear law is valid.
-/// It is the depth at which the contact radius is `strain` times the tip radius; on a layer it is
+/// At this depth the contact radius is `strain` times the tip radius; on a layer the depth is also
 /// at most half of `strain` times the thickness. +inf if the law is valid at every depth.
 double smallStrainDepth(const AxisymmetricTool& tool, const BodyParameters& body,
   const std::shared_ptr<const LayerKernel>& kernel, double strain);
 
 /**
- * Returns the readings of a curve for which a linear law is valid on the assumed body: those up to
- * smallStrainDepth().
+ * Returns the readings of a curve for which a linear law is valid on the assumed body, that is, up
+ * to smallStrainDepth().
  *
- * For tools that exceed the strain at any depth, such as a cone, all readings are kept, because no
- * reading is more suitable than the others.
+ * If a tool exceeds the strain at any depth, such as a cone, all readings are kept, because no
+ * reading is more suitable than another.
  */
 IndentationCurve readingsWithin(const IndentationCurve& curve, const BodyParameters& body,
   double contactOffset, const ForceBaseline& baseline,

@@ -11,7 +11,8 @@
 
 namespace palpate
 {
-/// Force at one depth below first contact, and its derivatives with respect to the parameters.
+/// Force at one depth below first contact, and its derivatives with respect to the parameters of
+/// the body.
 struct Sensitivity
 {
   double force = 0.0;
@@ -20,7 +21,7 @@ struct Sensitivity
   double bySecond = 0.0; ///< derivative with respect to C_g or ln h
 };
 
-/// The law of one tool on a body during a fit.
+/// The law of one tool on a trial body during a fit.
 class TrialLaw
 {
 public:

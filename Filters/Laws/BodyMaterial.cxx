@@ -139,8 +139,8 @@ std::string BodyMaterial::take(Values values, std::size_t points)
   return {};
 }
 
-/// Checks the values for the layers of a stack. Reports an error also for values of a second layer
-/// if the body is not a stack.
+/// Checks the values for the layers of a stack. If the body is not a stack, values for a second
+/// layer are also an error.
 std::string BodyMaterial::checkStackOf(const Values& values) const
 {
   if (!this->Given.isStack())

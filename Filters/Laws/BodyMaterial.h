@@ -19,14 +19,15 @@ class AxisymmetricTool;
 class ResponseLaw;
 
 /// Values at the points of a body, and the name of the quantity for error messages. If `values` is
-/// empty, the constant holds at all points.
+/// empty, the constant applies to all points.
 struct PointValues
 {
   std::string name;
   std::vector<double> values;
 };
 
-/// The material of a body at each point: constants, and values that override the constants.
+/// The material of a body at each point, given by constants and by values that override the
+/// constants.
 class PALPATE_EXPORT BodyMaterial
 {
 public:
@@ -50,17 +51,17 @@ public:
     double thickness; ///< mm, 0 for a half-space
     LayerBase base;
     bool complianceExcludesLayer;
-    /// Layers below the first one, from top to bottom. With deeper layers, or with a half-space as
-    /// base, the whole body is a stack (LayerStack.h). Young's modulus and Poisson's ratio are then
-    /// constant.
+    /// Layers below the first one, from top to bottom. The whole body is a stack (LayerStack.h) if
+    /// there are deeper layers or if the base is a half-space. Young's modulus and Poisson's ratio
+    /// are then constant.
     std::vector<StackLayer> deeper;
-    std::optional<StackLayer> halfSpace; ///< used instead of the rigid base
+    std::optional<StackLayer> halfSpace; ///< replaces the rigid base
 
     bool isStack() const { return !this->deeper.empty() || this->halfSpace.has_value(); }
-    /// The whole stack; it has no layers if the body is not a stack.
+    /// Returns the whole stack; it has no layers if the body is not a stack.
     LayerStack stack() const;
   };
-  /// Values that override the constants. Each array has a value for every point, or no values.
+  /// Values that override the constants. Each array has one value for every point, or is empty.
   struct Values
   {
     PointValues youngsModulus; ///< MPa
@@ -82,15 +83,16 @@ public:
 
   ContactSpots spots() const;
   const MaterialRange& range() const noexcept { return this->Range; }
-  /// Sets the common range of all pieces, if other processes have pieces of the body.
+  /// Sets the range that is common to all pieces, if the body is divided among several processes.
   void setRange(const MaterialRange& range) { this->Range = range; }
 
-  /// The exponent for the storage of curves: the tip's own exponent or 1. Returns the one with the
-  /// smaller storage error at the softest, stiffest, thinnest and thickest spot of the body.
+  /// Returns the exponent for the storage of curves: either the exponent of the tool's own law
+  /// or 1. The one with the smaller storage error at the softest, stiffest, thinnest and thickest
+  /// spot of the body is chosen.
   double bestExponent(const AxisymmetricTool& tool, const ResponseLaw& law) const;
 
-  /// The largest relative storage error with `exponent` at the four spots of bestExponent(). Spots
-  /// that cannot be stored are ignored.
+  /// Returns the largest relative storage error with `exponent` at the softest, stiffest, thinnest
+  /// and thickest spot. Spots that cannot be stored are ignored.
   double storageError(const ResponseLaw& law, double exponent) const;
 
   /// Returns a description of the model in words.
@@ -103,7 +105,8 @@ private:
   std::string takeModulus(const Values& values, std::size_t points);
 
   Constants Given;
-  std::vector<double> ReducedModulus; ///< empty vectors: the constant holds at all points
+  /// The vectors are empty if the constant applies to all points.
+  std::vector<double> ReducedModulus;
   std::vector<double> PoissonsRatio;
   std::vector<double> Compliance;
   std::vector<double> Thickness;

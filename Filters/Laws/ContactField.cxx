@@ -17,8 +17,9 @@ namespace palpate
 {
 namespace
 {
-/// The thickness of the layer under the contact, mm; 0 on a half-space. Interpolates 1/h, because
-/// the stiffening by a base is proportional to 1/h, and 1/h is 0 on a half-space.
+/// Returns the thickness of the layer under the contact, mm; 0 on a half-space. The inverse 1/h is
+/// interpolated, because the stiffening by a base is proportional to 1/h, and 1/h is 0 on a
+/// half-space.
 double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weights)
 {
   if (thickness[0] == thickness[1] && thickness[1] == thickness[2])
@@ -34,8 +35,8 @@ double thicknessAt(const std::array<double, 3>& thickness, const Vector3& weight
   return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 
-/// The stack under the contact. Thicknesses that vary are rounded to half a percent, so that one
-/// kernel also serves nearby contacts.
+/// Returns the stack of layers under the contact. Thicknesses that vary are rounded to half a
+/// percent, so that one kernel can be used for nearby contacts.
 LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
 {
   LayerStack stack = triangle.stack;
@@ -55,10 +56,11 @@ LayerStack stackAt(const FieldTriangle& triangle, const Vector3& weights)
   return stack;
 }
 
-/// Limit of the local deflection for a given force, as a multiple of the deflection.
+/// Upper limit of the local deflection that is searched for a given force, as a multiple of the
+/// deflection.
 constexpr double DeepestDent = 10.0;
 
-/// The deflection at which a tool on a half-space has the given force; at most `most`.
+/// Returns the deflection at which a tool on a half-space has the given force; at most `most`, mm.
 double deflectionOf(const AxisymmetricTool& tool, double force, double reducedModulus, double most)
 {
   const double high = std::min(most, tool.depthLimit().depth);
@@ -75,21 +77,22 @@ double deflectionOf(const AxisymmetricTool& tool, double force, double reducedMo
     0.0, high, 0.5 * high);
 }
 
-/// Radius of an edge of the tool that is well within the contact; 0 if there is no such edge.
+/// Returns the radius of an edge of the tool that is well within the contact; 0 if there is no such
+/// edge.
 double edgeWithin(const AxisymmetricTool& tool, double contactRadius)
 {
   const std::vector<double> kinks = tool.kinks();
   return !kinks.empty() && kinks.front() < 0.999 * contactRadius ? kinks.front() : 0.0;
 }
 
-/// 0 below `begin`, 1 above `end`, smooth between them.
+/// Returns 0 below `begin` and 1 above `end`, with a smooth transition between them.
 double smoothStep(double begin, double end, double x)
 {
   const double t = std::clamp((x - begin) / (end - begin), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Adds the displacement of a mode. Returns whether all values are finite.
+/// Adds the displacement by a mode, multiplied by `weight`. Returns whether all values are finite.
 template <class Number>
 bool addMode(const Number* mode, double weight, std::size_t points, float* displacement)
 {
@@ -145,7 +148,7 @@ void ContactField::bend(
 {
   for (const FieldTriangle::Mode& mode : triangle.modes)
   {
-    double here = 0.0; // n·φ
+    double here = 0.0; // n·φ at the contact point
     for (std::size_t i = 0; i < 3; ++i)
     {
       here += weights[static_cast<Eigen::Index>(i)] * contact.normal.dot(mode.vectors[i]);

@@ -21,18 +21,18 @@ struct SpotCurvature
   bool isFlat() const noexcept { return this->first == 0.0 && this->second == 0.0; }
 };
 
-/// The body under one point of its surface.
+/// The material and shape of the body under one point of its surface.
 struct ContactSpot
 {
   double reducedModulus = 0.0;  ///< E*, MPa
-  double poissonRatio = 0.0;    ///< Poisson's ratio of the layer; a half-space only needs E*
+  double poissonRatio = 0.0;    ///< Poisson's ratio of the layer; not needed on a half-space
   double compliance = 0.0;      ///< global compliance in series with the local contact, mm/N
   double thickness = 0.0;       ///< thickness of the layer, mm; 0 for a half-space
-  SpotCurvature curvature = {}; ///< curvature that the law includes; 0 if it includes none
+  SpotCurvature curvature = {}; ///< curvature that the law includes; 0 if the law includes none
   double second = 0.0;          ///< thickness of the second layer of a stack, mm
   double thinnest = 0.0;        ///< thickness of the thinnest layer of a stack, mm
   double complianceError = 0.0; ///< error of the compliance, mm/N
-  double thicknessError = 0.0;  ///< error of 1/thickness, 1/mm; for a half-space 1/thickness is 0
+  double thicknessError = 0.0;  ///< error of 1/thickness, 1/mm; on a half-space 1/thickness is 0
   double secondError = 0.0;     ///< error of 1/second, 1/mm
 
   LayerPlace place() const noexcept
@@ -43,7 +43,7 @@ struct ContactSpot
   {
     return this->thicknessError > 0.0 || this->secondError > 0.0;
   }
-  /// The place with the thinnest layers within the errors of their thicknesses.
+  /// Returns the layers with the smallest thicknesses within the errors of the thicknesses.
   LayerPlace thinnestPlace() const noexcept
   {
     const auto thinner = [](double given, double error) {
@@ -54,8 +54,8 @@ struct ContactSpot
   }
 };
 
-/// The body under each point: constants, and arrays that override them. If an array is null, the
-/// constant holds at all points.
+/// The body under each point, given by constants and by arrays that override the constants. If an
+/// array is null, the constant applies to all points.
 struct ContactSpots
 {
   ContactSpot constant;
@@ -64,7 +64,7 @@ struct ContactSpots
   const double* compliance = nullptr;
   const double* thickness = nullptr;
   const double* second = nullptr;
-  /// Thickness of the thinnest layer below the first two, mm; 0: no stack.
+  /// Thickness of the thinnest layer below the first two, mm; 0 if the body is not a stack.
   double deeperThinnest = 0.0;
   const double* complianceError = nullptr;
   const double* thicknessError = nullptr;

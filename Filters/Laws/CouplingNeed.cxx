@@ -14,14 +14,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double SearchStep = 0.99; // factor from one distance of the search to the next
+constexpr double SearchStep = 0.99; // ratio of consecutive distances in the search
 
-/// The coupling at one point.
+/// The data of one point for its coupling with other points.
 struct CoupledPoint
 {
   double stiffness = 0.0; ///< N/mm, at half of the range
-  double modulus = 0.0;   ///< E*, MPa; 0: only the modes have an effect
-  double thickness = 0.0; ///< mm; 0: a half-space
+  double modulus = 0.0;   ///< E*, MPa; 0 if only the modes couple contacts
+  double thickness = 0.0; ///< mm; 0 for a half-space
   double global = 0.0;    ///< compliance of the modes, mm/N
 
   double softness() const { return this->modulus > 0.0 ? this->stiffness / this->modulus : 0.0; }
@@ -45,7 +45,7 @@ CoupledPoint pointOf(const ResponseArrays& arrays, const ResponseField& curves, 
   return point;
 }
 
-/// The relative change of the force by a tool at the distance r: |K C(r)|.
+/// Returns the relative change |K C(r)| of the force by a second tool at the distance r.
 double changeAt(const CoupledPoint& point, const CouplingLaw& law, double distance)
 {
   const double share = law.isLayered() ? law.at(distance / point.thickness).value : 1.0;
@@ -88,8 +88,8 @@ CouplingNeed couplingNeed(const ResponseArrays& arrays, double tolerance)
     need.reach = Infinity;
     return need;
   }
-  // On a half-space the change falls to the tolerance at this distance; on a layer at a smaller
-  // one.
+  // On a half-space the change decreases to the tolerance at this distance; on a layer this happens
+  // at a smaller distance.
   need.reach = widest.softness() / (Pi * (tolerance - global));
   while (need.reach > need.apart && changeAt(widest, law, need.reach) < SearchStep * tolerance)
   {

@@ -12,9 +12,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int NodesBeforeFlat = 16; // nodes of the sag's law below full contact of a flat end
+// Number of nodes of the sag's law below full contact of a flat end.
+constexpr int NodesBeforeFlat = 16;
 
-/// The sums κ_t+κ₁ and κ_t+κ₂, in ascending order.
+/// The sums κ_t+κ₁ and κ_t+κ₂ of the curvatures of tool and body, in ascending order.
 struct Sums
 {
   double smaller;
@@ -36,7 +37,7 @@ double ellipseOf(const Sums& sums)
   return ratio * ratio / 48.0;
 }
 
-/// Depth and force of the sag at a contact radius, for the sag's own curvature.
+/// Depth and force of the sag's contact at a contact radius, for the curvature of the SagLaw.
 struct SagPoint
 {
   double depth;
@@ -56,7 +57,8 @@ SagPoint sagAt(const SagLaw& sag, double radius)
   {
     return { unknown, unknown };
   }
-  // δ/a² and F/a³ change little from node to node, so that a cubic through four nodes suffices.
+  // δ/a² and F/a³ change little from node to node, so that cubic interpolation between four nodes
+  // suffices.
   const auto above = std::lower_bound(nodes.radii.begin(), nodes.radii.end(), radius);
   const auto place = static_cast<std::size_t>(above - nodes.radii.begin());
   const std::size_t begin = std::min(place < 2 ? 0 : place - 2, nodes.size() - 4);
@@ -163,7 +165,8 @@ ContactNodes onCurvedBody(
   // A flat end has its full radius at the first node, where the depth is almost 0.
   const bool isFlatEnd = flat.size() > 1 && flat.radii[0] > 0.99 * flat.radii[1];
   const double whole = isFlatEnd ? wholeFrom(flat.radii[0], curvature) : 0.0;
-  curved.coversTouch = whole == 0.0; // if the body is not convex, the rim touches first
+  // On a body that is not convex, the rim of the flat end touches first.
+  curved.coversTouch = whole == 0.0;
   if (isFlatEnd && whole == 0.0)
   {
     const Sums sums = sumsOf(0.0, curvature);
@@ -173,8 +176,8 @@ ContactNodes onCurvedBody(
     {
       const double a = flat.radii[0] * i / NodesBeforeFlat;
       const SagPoint point = sagAt(sag, a);
-      // dF/dδ of a flat end is proportional to a only on a half-space. Therefore the difference
-      // quotient of the sag is used.
+      // dF/dδ of a flat end is proportional to a only on a half-space. On a layer the difference
+      // quotient of the sag's law is used.
       const SagPoint less = sagAt(sag, 0.999 * a);
       const double stiffness = (point.force - less.force) / (point.depth - less.depth);
       curved.add(kappa / sag.curvature * point.depth, factor * kappa / sag.curvature * point.force,

@@ -12,11 +12,11 @@
 
 namespace palpate
 {
-/// The tool fits into a hollow if the sum of the tool's and the body's curvature is at least this
+/// A tool fits into a hollow if the sum of the curvatures of the tool and the body is at least this
 /// fraction of the tool's curvature.
 constexpr double LeastSum = 0.5;
 
-/// A contact for E* = 1 on one body at ascending depths. Values between the depths are
+/// A contact for E* = 1 on one body, at ascending depths. Values between these depths are
 /// interpolated.
 struct ContactNodes
 {
@@ -24,9 +24,9 @@ struct ContactNodes
   std::vector<double> forces;      ///< F/E*, mm²
   std::vector<double> stiffnesses; ///< (dF/dδ)/E*, mm
   std::vector<double> radii;       ///< contact radius, mm
-  /// Depth of the tool with that contact radius on the flat body, mm.
+  /// Depth at which the tool has the same contact radius on the flat body, mm.
   std::vector<double> toolDepths;
-  bool coversTouch = true; ///< false: no law is valid at depths less than that of the first node
+  bool coversTouch = true; ///< false if no law is valid at depths below that of the first node
 
   std::size_t size() const noexcept { return this->depths.size(); }
   void reserve(std::size_t nodes);
@@ -40,29 +40,31 @@ struct LocalState
   double force = 0.0;     ///< F/E*, mm²
   double stiffness = 0.0; ///< (dF/dδ)/E*, mm
   double radius = 0.0;    ///< mm
-  /// Depth of the tool with that contact radius on the flat body, mm. If negative, it must be
-  /// computed from the radius.
+  /// Depth at which the tool has the same contact radius on the flat body, mm. If negative, it must
+  /// be computed from the radius.
   double toolDepth = -1.0;
   double toolTurn = 1.0; ///< derivative of toolDepth with respect to `depth`
-  /// false: no law is valid at this depth; the values only serve to find the first depth with a law
+  /// False if no law is valid at this depth. The values then only serve to find the smallest depth
+  /// with a valid law.
   bool isCovered = true;
 };
 
 /**
- * A law from nodes: cubic Hermite polynomials of F over √δ. Spheres (F ~ δ^1.5), flats (δ) and
- * cones (δ²) are powers of √δ. Below the first node the law is a power of δ through that node. With
- * 64 nodes at even √δ the error is 1e-6.
+ * A law that interpolates between nodes with cubic Hermite polynomials of F over √δ. The forces of
+ * spheres (F ~ δ^1.5), flat ends (δ) and cones (δ²) are powers of √δ. Below the first node the law
+ * is a power of δ through that node. With 64 nodes that are evenly spaced in √δ the error is 1e-6.
  */
 class PALPATE_EXPORT NodeLaw final : public IndentationLaw
 {
 public:
-  /// Needs at least one node. Depths ascend and are > 0.
+  /// `nodes` must have at least one node. Its depths must be > 0 and ascending.
   explicit NodeLaw(ContactNodes nodes)
     : Nodes(std::move(nodes))
   {
   }
 
-  /// F (N), dF/dδ (N/mm), contact radius (mm); 0 for δ <= 0, NaN beyond the last node.
+  /// Returns F (N), dF/dδ (N/mm) and the contact radius (mm); 0 for δ <= 0, NaN beyond the last
+  /// node.
   IndentationPoint evaluate(double deflection, double reducedModulus) const override;
   LocalState at(double depth) const;
   double deepest() const { return this->Nodes.depths.back(); }
@@ -72,45 +74,49 @@ private:
 };
 
 /// The contact of the sag on the same flat body. The sag is a paraboloid of curvature `curvature`
-/// (1/mm) that represents the body's own curvature. On a half-space the contact has a closed form
+/// (1/mm) that represents the curvature of the body. On a half-space there is a closed form
 /// (Hertz): F = 4/3 κ a³ and δ = κ a².
 struct SagLaw
 {
   double curvature = 1.0;
-  ContactNodes nodes; ///< empty: a half-space
+  ContactNodes nodes; ///< empty for a half-space
 };
 
 /**
- * A tool on a curved body: the body's sag is added to the tool's profile.
+ * The law of a tool on a curved body. The sag of the body below its tangent plane is added to the
+ * tool's profile.
  *
- * At one contact radius a the depths and the forces of two profiles can be added, because the
- * contact problem is linear in the profile if its circle is known (Sneddon 1965; the same is true
+ * At the same contact radius a, the depths and the forces of two profiles can be added, because the
+ * contact problem is linear in the profile if its circle is known (Sneddon 1965; this is also true
  * on layers). Therefore the tool's nodes on the flat body, δ(a) and F(a), become δ + κ δ_sag(a) and
  * F + κ F_sag(a). dF/dδ does not change, because it depends only on a.
  *
- * A flat end of radius b in full contact depends only on the mean curvature: F = 2E*b(δ - b²κ_m/3),
- * where δ is the deflection of its centre. On a convex body the flat end is in full contact for δ
- * >= κ b²; at smaller depths the law is that of the sag. On a saddle or in a hollow it is in full
- * contact for δ >= b² times the larger of |κ₁|, |κ₂| (wholeFrom). At smaller depths only parts of
- * its rim touch, and no law is known; a power of the depth is used instead.
+ * For a flat end of radius b in full contact the law depends only on the mean curvature κ_m:
+ *   F = 2E*b(δ - b²κ_m/3),
+ * where δ is the deflection of its centre. On a convex body the flat end is in full contact for
+ * δ >= κ b²; at smaller depths the law is that of the sag. On a saddle or in a hollow it is in full
+ * contact if δ is at least b² times the larger of |κ₁| and |κ₂| (wholeFrom). At smaller depths only
+ * parts of its rim touch, and no law is known; a power of the depth is used instead.
  *
- * Unequal curvatures are represented by the geometric mean of both sums: κ = √((κ_t+κ₁)(κ_t+κ₂)) -
- * κ_t, where κ_t = g(a)/a² for the tool at contact radius a. F is multiplied by 1 +
- * ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a sphere the error is 1e-4 up to a ratio of 3 (Hertz's ellipse).
+ * Two unequal curvatures are represented by the single curvature κ = √((κ_t+κ₁)(κ_t+κ₂)) - κ_t,
+ * where κ_t = g(a)/a² for the tool's profile g at the contact radius a. F is multiplied by 1 +
+ * ln²((κ_t+κ₂)/(κ_t+κ₁))/48. For a sphere the error is 1e-4 up to a ratio of the two sums of 3
+ * (compared with Hertz's ellipse).
  *
- * If the body is concave and the tool does not fit into it (a sum below LeastSum of κ_t), no law is
- * valid. The result ends at that depth and may be empty. A flat end touches a hollow with its rim
- * first. The result then begins at the depth at which the flat end is in full contact.
+ * If the body is concave and the tool does not fit into it (a sum of curvatures is below LeastSum
+ * κ_t), no law is valid. The result ends at the depth at which this occurs, and may be empty. In a
+ * hollow, the rim of a flat end touches first. The result then begins at the depth at which the
+ * flat end is in full contact.
  */
 PALPATE_EXPORT ContactNodes onCurvedBody(
   const ContactNodes& flat, const SagLaw& sag, const SpotCurvature& curvature);
 
-/// Least depth (mm) at which a flat end of radius `b` is in full contact with a body that is not
-/// convex; 0 for a convex body.
+/// Returns the smallest depth (mm) at which a flat end of radius `b` is in full contact with a body
+/// that is not convex; 0 for a convex body.
 PALPATE_EXPORT double wholeFrom(double b, const SpotCurvature& curvature);
 
-/// ln²(B/A)/48 of a tool of curvature κ_t (1/mm) on the body, where A and B are the two sums of
-/// curvatures; +inf if the tool does not fit.
+/// Returns ln²(B/A)/48, where A and B are the sums of the tool's curvature κ_t (1/mm) and each of
+/// the two curvatures of the body; +inf if the tool does not fit.
 PALPATE_EXPORT double ellipseFactor(double toolCurvature, const SpotCurvature& curvature);
 } // namespace palpate
 

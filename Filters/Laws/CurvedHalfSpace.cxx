@@ -12,8 +12,8 @@ namespace
 {
 constexpr int PieceCount = 128;
 constexpr int MostSteps = 30;
-// Largest residual relative to the depth. The error after the next step is the square of this
-// value.
+// Largest residual relative to the depth. The relative error after the next step is of the order of
+// the square of this value.
 constexpr double Converged = 1e-5;
 
 double cubic(const std::array<double, 4>& c, double x)
@@ -21,7 +21,7 @@ double cubic(const std::array<double, 4>& c, double x)
   return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
 }
 
-/// The cubic through four values at x = from, from + 1, from + 2, from + 3.
+/// Returns the cubic through four values at x = from, from + 1, from + 2, from + 3.
 std::array<double, 4> throughFour(const double* value, double from)
 {
   // Newton's forward differences in s = x - from.
@@ -34,7 +34,7 @@ std::array<double, 4> throughFour(const double* value, double from)
   return { cubic(s, b), s[1] + b * (2.0 * s[2] + 3.0 * b * s[3]), s[2] + 3.0 * b * s[3], s[3] };
 }
 
-/// The factor 1 + ln²(one/other)/48 for two sums of curvatures.
+/// Returns the factor 1 + ln²(one/other)/48 for two sums of curvatures.
 double ellipse(double one, double other)
 {
   if (one == other)
@@ -45,8 +45,8 @@ double ellipse(double one, double other)
   return 1.0 + ratio * ratio / 48.0;
 }
 
-/// The state before a rim is in full contact. It is a power of the depth, up to the depth at which
-/// the law begins.
+/// Returns the state before the rim of a flat end is in full contact. It is a power of the depth,
+/// up to the depth at which the law begins.
 LocalState beforeRim(const LocalState& first, double fraction)
 {
   const double power = first.stiffness * first.depth / first.force;
@@ -62,7 +62,7 @@ CurvedHalfSpace::CurvedHalfSpace(const AxisymmetricTool& tool, double deepest)
   , FlatRadius(tool.smallestContactRadius())
 {
   std::vector<double> radius = { this->FlatRadius };
-  std::vector<double> share = { 0.0 }; // F/(a t²), unknown at first contact
+  std::vector<double> share = { 0.0 }; // F/(a t²); the value at first contact is set later
   for (int i = 1; i <= PieceCount; ++i)
   {
     const double t = this->Step * i;
@@ -137,9 +137,9 @@ CurvedHalfSpace::Contact CurvedHalfSpace::contactAt(double t, const SpotCurvatur
     body.slope, this->FlatRadius > 0.0 || std::min(body.one, body.other) > LeastSum * tool };
 }
 
-/// The contact of a flat end of radius b with a bump at depths below κ_m b², where full contact
-/// begins. The contact is Hertz's until its radius is b; from there the force is continued
-/// linearly.
+/// The contact of a flat end of radius b on a bump at depths below κ_m b², where full contact
+/// begins. The law is that of Hertz until the contact radius is b. At larger depths the force is
+/// extrapolated linearly.
 LocalState CurvedHalfSpace::sagAlone(double depth, const SpotCurvature& curvature) const
 {
   const double b = this->FlatRadius;
@@ -164,7 +164,8 @@ LocalState CurvedHalfSpace::sagInSeries(
   {
     const LocalState state = this->sagAlone(depth, curvature);
     const double left = deflection - depth - softness * state.force;
-    // At full contact the stiffness falls. Therefore a tangent may lead to a negative depth.
+    // At full contact the stiffness decreases abruptly. Therefore a Newton step may lead to a
+    // negative depth.
     depth = std::max(depth + left / (1.0 + softness * state.stiffness), 0.25 * depth);
     if (std::abs(left) <= Converged * deflection)
     {
@@ -181,9 +182,9 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
   const double b = this->FlatRadius;
   const auto total = [softness](const LocalState& state)
   { return state.depth + softness * state.force; };
-  // In full contact a flat end depends only on the mean curvature. On a bump full contact begins at
-  // a depth of κ_m b². On other surfaces the rim touches first, and no law is valid before full
-  // contact.
+  // In full contact, the law of a flat end depends only on the mean curvature. On a bump full
+  // contact begins at a depth of κ_m b². On other surfaces the rim touches first, and no law is
+  // valid before full contact.
   const double mean = around.mean();
   const SpotCurvature curvature = b > 0.0 ? SpotCurvature{ mean, mean, 0.0 } : around;
   const double rim = b > 0.0 ? wholeFrom(b, around) : 0.0;
@@ -193,8 +194,8 @@ bool CurvedHalfSpace::solve(const SpotCurvature& around, double softness,
     : b > 0.0 && mean > 0.0 ? this->sagAlone(mean * b * b, around)
                             : LocalState{ 0.0, 0.0, 0.0, b, 0.0, 1.0 };
   const double whole = total(first);
-  // t² divided by the deflection changes little. Therefore its next value is extrapolated linearly.
-  // The first value is that of two paraboloids.
+  // The ratio of t² to the deflection changes little, so that its next value is extrapolated
+  // linearly. The first value is that of two paraboloids.
   const double flat = std::min(std::sqrt(deflections.front()), end);
   const double radius = this->at(flat).radius;
   const double sum = flat * flat + curvature.mean() * radius * radius;

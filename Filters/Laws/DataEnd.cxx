@@ -10,7 +10,8 @@ namespace palpate
 namespace
 {
 constexpr double Storage = 1e-3;
-// Bisections of the interval between two samples, enough for the precision of a float.
+// Number of bisections of the interval between two samples; sufficient for the precision of a
+// float.
 constexpr int Halvings = 24;
 } // namespace
 
@@ -30,8 +31,8 @@ double depthOfDataEnd(const ResponseSampling& sampling, double range, const floa
   {
     return std::numeric_limits<double>::infinity();
   }
-  // Force and stiffness increase with depth. Therefore there is one crossing, between samples i - 1
-  // and i.
+  // Force and stiffness increase with depth. Therefore there is exactly one crossing, between
+  // samples i - 1 and i.
   double low = i > 0 ? sampling.depth(i - 1, range) : 0.0;
   double high = sampling.depth(i, range);
   for (int k = 0; k < Halvings; ++k)

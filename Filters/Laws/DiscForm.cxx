@@ -18,30 +18,31 @@ using Eigen::Vector3d;
 constexpr int TermCount = 11;
 constexpr int Padded = 12; // number of terms rounded up to a multiple of four, for vector registers
 using DiscTerms = Eigen::Matrix<double, TermCount, 1>;
-constexpr int TiltTerms = 0;   // first of two terms
-constexpr int SquareTerms = 2; // first of three terms
-constexpr int CubeTerms = 5;   // first of four terms
+constexpr int TiltTerms = 0;   // index of the first of two terms
+constexpr int SquareTerms = 2; // index of the first of three terms
+constexpr int CubeTerms = 5;   // index of the first of four terms
 constexpr int FourthTerm = 9;
 constexpr int OffsetTerm = 10;
 
-constexpr double Reach = 1.25; // radius of the disc, in contact radii
-// Radius that contains two rings of neighbours, in distances of points.
+constexpr double Reach = 1.25; // largest distance of the points, in contact radii
+// Radius that contains two rings of neighbours, in mean distances of points.
 constexpr double TwoRings = 2.6;
 constexpr std::size_t Fewest = 12; // least number of points for a fit
-// Largest number of points. A disc has more if the mesh is far finer here than elsewhere. Averages
-// of neighbours then take less time.
+// Largest number of points in a disc. A disc has more points if the mesh is far finer there than
+// elsewhere. In this case averaging over neighbours takes less time than a fit.
 constexpr std::size_t Most = 2000;
-constexpr std::size_t Enough = 96; // points for a fit; from more points only a part is drawn
-// Least cosine between normals; excludes points beyond a sharp edge.
+// Number of points used in a fit; if there are more, a random part of them is used.
+constexpr std::size_t Enough = 96;
+// Smallest cosine between normals. This excludes points beyond a sharp edge.
 constexpr double LeastFacing = 0.3;
-// Ridges divided by the sum of weights, for lengths in contact radii.
+// Ridge terms of the fit, divided by the sum of weights, if lengths are in contact radii.
 constexpr double TiltRidge = 0.005;
 constexpr double CubeRidge = 0.01;
 constexpr double FourthRidge = 0.003;
 constexpr double OffsetRidge = 0.01;
 
-/// A pseudo-random number from the bits of a position. It does not depend on the index of the
-/// point. Therefore a body in pieces has the same curvature as the whole body.
+/// Returns a pseudo-random number computed from the bits of a position. It does not depend on the
+/// index of the point, so that a body in pieces has the same curvature as the whole body.
 std::uint64_t drawn(const Vector3d& place)
 {
   std::uint64_t number = 0;
@@ -55,7 +56,7 @@ std::uint64_t drawn(const Vector3d& place)
   return number >> 8;
 }
 
-/// The terms of the height at a position in the tangent plane.
+/// Returns the terms of the height polynomial at a position in the tangent plane.
 DiscTerms termsAt(double x, double y)
 {
   const double square = x * x + y * y;
@@ -65,15 +66,15 @@ DiscTerms termsAt(double x, double y)
   return terms;
 }
 
-/// Sets the columns from `First` to `First` + 3 of the lower triangle of the sum of
-/// weighted * termsᵀ over all points.
+/// Sets the columns from `First` to `First` + 3 in the lower triangle of the sum of weighted *
+/// termsᵀ over all points.
 template <int First>
 void sumColumns(const std::vector<double>& terms, const std::vector<double>& weighted,
   Eigen::Matrix<double, Padded, Padded>& products)
 {
   constexpr int rows = Padded - First;
-  // A compiler keeps these sums in vector registers. Eigen's rankUpdate of a matrix in memory takes
-  // four times as long.
+  // The compiler keeps these sums in vector registers. Eigen's rankUpdate of a matrix in memory
+  // takes four times as long.
   double sums[4][rows] = {};
   for (std::size_t i = First; i < terms.size(); i += Padded)
   {
@@ -124,8 +125,8 @@ Vector3d DiscForms::normalOf(std::size_t point) const
   return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * point).cast<double>();
 }
 
-/// Collects the connected points within the distance `reach` that face the same way as the point.
-/// Stops when there are more than `Most` points.
+/// Collects the connected points within the distance `reach` (mm) whose normals are similar to that
+/// of the point. Stops when there are more than `Most` points.
 void DiscForms::gather(std::size_t point, double reach)
 {
   const Vector3d here = this->placeOf(point);
@@ -203,7 +204,7 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
   Eigen::Matrix<double, TermCount, TermCount> products = sums.topLeftCorner<TermCount, TermCount>();
   products.diagonal() += weights * ridges();
   const DiscTerms found = products.selfadjointView<Eigen::Lower>().ldlt().solve(heights);
-  // The ridge terms count as residuals, too.
+  // The ridge terms also count as residuals.
   const double left = std::max(0.0, squares - found.dot(heights)) / weights;
   const double added = 8.0 / 5.0 * found[FourthTerm] + 3.0 * found[OffsetTerm];
   const Vector3d form = found.segment<3>(SquareTerms) + added * Vector3d(1.0, 0.0, 1.0);

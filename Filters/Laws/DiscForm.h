@@ -13,33 +13,35 @@
 namespace palpate
 {
 /// The second fundamental form of the surface under a contact, in the TangentFrame of the normal
-/// (t², tu, u²), 1/mm, positive where convex.
+/// (coefficients of t², tu, u²), 1/mm, positive where the surface is convex.
 struct DiscForm
 {
   Eigen::Vector3d form;
-  double residual; ///< root-mean-square residual of the heights over the squared contact radius
+  /// Root-mean-square residual of the heights, divided by the squared contact radius.
+  double residual;
 };
 
 /**
  * Fits a polynomial of fourth order to the surface under a contact: an offset and a tilt of the
- * tangent plane, all terms of second and third order, and r⁴. The mean of the form is that of the
- * paraboloid on which a contact has the same force to first order (SurfaceCurvature): half the
- * trace, plus 8/5 a² of the coefficient of r⁴, plus 3/a² of the offset. The fit uses the points
- * within 1.25 contact radii a, but at least two rings and at most some hundred points. Their
- * weights fall with the distance. Small ridges limit the terms that few points determine.
+ * tangent plane, all terms of second and third order, and r⁴. The mean curvature of the form is
+ * that of the paraboloid on which a contact has the same force to first order (SurfaceCurvature):
+ * half the trace, plus 8/5 a² times the coefficient of r⁴, plus 3/a² times the offset. The fit uses
+ * the points within 1.25 contact radii a, but at least two rings of neighbours and at most about a
+ * hundred points. The weights of the points decrease with the distance. Small ridge terms limit the
+ * coefficients that few points determine.
  *
- * Not thread-safe: one object per thread. Cost: some 10 µs.
+ * Not thread-safe: each thread needs its own object. Cost: about 10 µs per fit.
  */
 class DiscForms
 {
 public:
-  /// `normals`: 3 floats per point, unit length. `spacing`: pointSpacing(), mm. All arguments must
-  /// outlive this.
+  /// `normals` has 3 floats per point, unit length. `spacing` is pointSpacing(), mm.
+  /// `contactRadius` is in mm. The arguments must outlive this object.
   DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
     double spacing, double contactRadius);
 
-  /// Returns no value if the point has no normal, or if the disc has fewer than 12 or more than
-  /// 2000 points.
+  /// Fits the form at a point. Returns no value if the point has no normal, or if the disc has
+  /// fewer than 12 or more than 2000 points.
   std::optional<DiscForm> fit(std::size_t point);
 
 private:
@@ -54,8 +56,8 @@ private:
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
   std::vector<double> Terms;         ///< terms of the fitted points
-  std::vector<double> Weighted;      ///< the same terms times the weights of the points
-  std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
+  std::vector<double> Weighted;      ///< the same terms multiplied by the weights of the points
+  std::vector<std::uint32_t> Passed; ///< number of the search in which a point was last visited
   std::uint32_t Search = 0;
 };
 } // namespace palpate

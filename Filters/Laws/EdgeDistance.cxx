@@ -20,15 +20,16 @@ namespace palpate
 namespace
 {
 using Eigen::Vector3d;
-
-constexpr double IncompressibleRatio = 0.5; // Poisson's ratio at which edges are compared
-// Sharpness of an edge of 60°; the reach of blunter edges is reduced in proportion.
+// Poisson's ratio for which the effects of edges are compared.
+constexpr double IncompressibleRatio = 0.5;
+// Sharpness of an edge of 60°. The search distance of edges of smaller sharpness is reduced in
+// proportion.
 constexpr double BluntSharpness = 0.2;
 // Sine of the largest angle between the direction to an edge and the tangent plane.
 constexpr double LargestRise = 0.25;
-// Largest distance of edges found with cells of one size, in cells.
+// Largest distance of edges found with one cell size, in cells.
 constexpr double LargestCellDistance = 4.0;
-constexpr double CellRatio = 3.0; // ratio of the next larger cell size
+constexpr double CellRatio = 3.0; // ratio of one cell size to the next smaller one
 // Largest size of a cell as a fraction of the body's width. Larger cells do not resolve the shape
 // of the body.
 constexpr double LargestCell = 0.25;
@@ -43,7 +44,8 @@ double distanceTo(const Vector3d& point, const Vector3d& from, const Vector3d& t
   return std::sqrt(squareToSegment(Vector3d(from - point), Vector3d(to - point)));
 }
 
-/// The contact radii (mm) for which edges are found, from the finest cells to the coarsest.
+/// Returns the contact radii (mm) for which edges are searched, from the finest to the coarsest
+/// cells.
 std::vector<double> cellRadii(const EdgeSurface& surface, double contactRadius, double reach)
 {
   std::vector<double> radii{ contactRadius };
@@ -59,7 +61,7 @@ std::vector<double> cellRadii(const EdgeSurface& surface, double contactRadius, 
   }
 }
 
-/// Propagates sides outwards over the surface. Each point passes its nearest side on to its
+/// Propagates edge sides outwards over the surface. Each point passes its nearest side on to its
 /// neighbours.
 class SideSpread
 {
@@ -69,8 +71,8 @@ public:
   {
   }
 
-  /// Calls `take(point, side, distance)` for each point that has one of `sides` within `reach`
-  /// (mm). `side` is the nearest side that does not rise above the point's tangent plane.
+  /// Calls `take(point, side, distance)` for each point that has at least one of `sides` within
+  /// `reach` (mm). `side` is the nearest side that does not rise above the point's tangent plane.
   template <class Take>
   void from(const std::vector<SurfaceSide>& sides, double reach, const Take& take) const
   {
@@ -78,10 +80,12 @@ public:
     {
       return;
     }
-    using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>; // distance, point, side
+    // The pair (distance, (point, side)).
+    using Entry = std::pair<float, std::pair<std::int32_t, std::int32_t>>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<float> distances(this->Surface.spans.pointCount, NearEdge::Far);
-    // `reached`: distance of the front, mm. Points at a smaller distance already have their side.
+    // `reached` is the distance of the front, mm. Points at a smaller distance already have their
+    // final side.
     const auto offer = [&](std::int32_t point, std::int32_t side, float reached)
     {
       const auto i = static_cast<std::size_t>(point);
@@ -145,7 +149,7 @@ EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, dou
   const std::vector<double> radii = cellRadii(surface, contactRadius, reach);
   std::vector<SurfaceEdges> found(radii.size());
   shareWork(radii.size(), [&](std::size_t i) { found[i] = findEdges(surface, radii[i]); });
-  double inner = 0.0; // mm; nearer edges were already searched with finer cells
+  double inner = 0.0; // mm; edges at smaller distances were already searched with finer cells
   for (const SurfaceEdges& edges : found)
   {
     const bool isLast = &edges == &found.back();
@@ -162,7 +166,7 @@ EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, dou
         nearest.isSharp = side.isSharp;
       }
     };
-    // Sharp and blunt edges are searched separately, so that a near blunt edge does not hide a
+    // Sharp and blunt edges are searched separately, so that a nearby blunt edge does not hide a
     // sharp one.
     std::vector<SurfaceSide> sharp;
     std::vector<SurfaceSide> blunt;
@@ -186,7 +190,7 @@ EdgeDistance::EdgeDistance(const EdgeSurface& surface, double contactRadius, dou
 double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness)
 {
   const double psi = pointLoadSoftness(poissonRatio);
-  // This number determines the fraction of the force that remains at the edge itself.
+  // Determines the fraction of the force that remains directly at the edge.
   constexpr double atEdge = 0.42;
   const double x = distanceOverRadius + atEdge * std::exp(-distanceOverRadius);
   return x / (x + sharpness * psi / Pi);

@@ -13,42 +13,43 @@
 
 namespace palpate
 {
-/// The edge of a surface that is nearest to a point, and the nearest border.
+/// The nearest edge and the nearest border of a surface, as seen from a point.
 struct NearEdge
 {
   static constexpr float Far = std::numeric_limits<float>::infinity();
   float distance = Far; ///< distance to the edge along a straight line, mm
-  float turn = 0.0F;    ///< angle by which the surface turns away at the edge, rad
+  float turn = 0.0F;    ///< angle between the normals on both sides of the edge, rad
   float border = Far;   ///< distance to the border along a straight line, mm
-  bool isSharp = false; ///< the edge is a side between two facets with a turn of BluntTurn or more
+  /// Whether the edge is a single side between two facets with a turn of BluntTurn or more.
+  bool isSharp = false;
 };
 
 /**
- * The distance of each point of a surface from the convex edge that reduces its force most, and
- * from the border.
+ * For each point of a surface, finds the convex edge that reduces its force most, and the distances
+ * from this edge and from the border.
  *
- * findEdges (EdgeSurface.h) defines the edges for a contact of radius a. A distant edge must be
- * larger to be taken into account: beyond four cells the search uses cells three times as large,
- * and so on, up to a quarter of the body's width. For large cells a bump on a face is not an edge,
- * but a wide fillet is.
+ * findEdges (EdgeSurface.h) defines the edges for a contact of radius a. A distant edge counts only
+ * if it is large: beyond four cells the search uses cells that are three times as large, and so on,
+ * up to a quarter of the body's width. With large cells, a bump on a face is not an edge, but a
+ * wide fillet is.
  *
- * The search runs along the surface up to the distance `reach`. It ignores an edge more than 15°
- * above the point's tangent plane, because there is material below such an edge, for example at the
- * foot of a horn.
+ * The search runs along the surface up to the distance `reach` (mm). An edge that is seen at more
+ * than 15° above the point's tangent plane is ignored, because there is material below such an
+ * edge, for example at the foot of a horn.
  *
- * Cost: O(n log n), 1 s for a million triangles on one thread, of which 0.3 s for the EdgeSurface;
- * temporary memory 60 bytes per triangle and thread. The result is bit for bit the same for any
+ * Cost: O(n log n), 1 s for a million triangles on one thread, including 0.3 s for the EdgeSurface.
+ * Temporary memory: 60 bytes per triangle and thread. The result is bit for bit the same for any
  * number of threads.
  */
 class PALPATE_EXPORT EdgeDistance
 {
 public:
   EdgeDistance(const TriangleSpans& surface, double contactRadius, double reach);
-  /// As above, for a surface that serves several radii.
+  /// As above, for a surface that is used for several contact radii.
   EdgeDistance(const EdgeSurface& surface, double contactRadius, double reach);
 
   const NearEdge& at(std::size_t point) const noexcept { return this->Found[point]; }
-  /// Number of facet sides that belong to an edge.
+  /// Returns the number of facet sides that belong to an edge.
   std::size_t edges() const noexcept { return this->EdgeCount; }
 
 private:
@@ -56,10 +57,11 @@ private:
   std::size_t EdgeCount = 0;
 };
 
-/// Returns Φ: the force of a contact of radius a, whose axis is at the distance d = u a from the
-/// straight edge of a wedge, divided by the force far from the edge at the same depth. u >= 0. For
-/// flats, paraboloids and cones Φ is within 0.03 of Hetényi's two half-spaces
-/// (Data/Reference/edges). `sharpness` represents the angle of the edge.
+/// Returns Φ, the force of a contact of radius a at the distance d = u a of its axis from the
+/// straight edge of a wedge, divided by the force far from the edge at the same depth.
+/// `distanceOverRadius` is u >= 0. For flat ends, paraboloids and cones Φ is within 0.03 of the
+/// result with Hetényi's two half-spaces (Data/Reference/edges). `sharpness` is that of
+/// edgeSharpness().
 PALPATE_EXPORT double edgeFactor(double poissonRatio, double distanceOverRadius, double sharpness);
 } // namespace palpate
 

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr double SmallestBorder = 4.0; // radius of the largest ignored hole, in contact radii
 
-/// Removes loops that are shorter than `least` (mm), because these are holes in a scan.
+/// Removes border loops that are shorter than `least` (mm), because they are holes in a scan.
 void dropHoles(const LinkedSurface& surface, double least, std::vector<SurfaceSide>& border)
 {
   std::map<std::int32_t, std::int32_t> above;
@@ -71,7 +71,7 @@ double widthOf(const LinkedSurface& surface)
   }
   const Vector3d mean = sum / area;
   const Eigen::Matrix3d spread = squares / area - mean * mean.transpose();
-  // Squared side of a cube divided by its variance along an axis.
+  // Ratio of the squared side of a cube to the variance of its surface along an axis.
   constexpr double cube = 36.0 / 5.0;
   return std::sqrt(cube *
     std::max(0.0,
@@ -81,7 +81,8 @@ double widthOf(const LinkedSurface& surface)
 
 std::vector<SurfaceSide> borderOf(const LinkedSurface& surface)
 {
-  // Counts the sides of single facets by position. Sides between duplicate points occur twice.
+  // Counts the sides that belong to one facet, by position. A side between duplicate points occurs
+  // twice.
   using Place = std::array<double, 3>;
   std::map<std::pair<Place, Place>, int> at;
   std::vector<SurfaceSide> border;
@@ -146,7 +147,7 @@ EdgeSurface::EdgeSurface(const TriangleSpans& surface)
   this->findSteepSides();
 }
 
-/// The sums of the areas of the facets at each point.
+/// Computes the normal of each point as the sum of the area vectors of its facets.
 void EdgeSurface::findNormals()
 {
   double area = 0.0;

@@ -16,23 +16,24 @@ namespace palpate
 {
 namespace
 {
-// Factor on the mean over the layers. The result bounds the errors of all of 30 random
+// Factor on the mean over the layers. With this factor the result bounds all errors of 30 random
 // forces.
 constexpr double StackBound = 1.6;
-// Errors relative to the loss of force at an edge that the tick takes into account. Hetényi's law
-// is accurate to 3 % and the effect of a base to 10 %. A corner is approximated by a product of
-// edges. For angles other than a right angle edgeSharpness is up to 1.4 times too large.
+// Errors relative to the loss of force at an edge for which the tick makes a correction. Hetényi's
+// law is accurate to 3 %, and the effect of a base to 10 %. A corner is approximated by a product
+// of the factors of its edges. For angles other than a right angle edgeSharpness is up to 1.4 times
+// too large.
 constexpr double EdgeRemainder = 0.2;
 constexpr double WedgeRemainder = 0.4;
 constexpr double RightAngle = 0.5 * Pi;
-constexpr double AngleTolerance = 0.09; // 5°
+constexpr double AngleTolerance = 0.09; // rad (5°)
 constexpr double BorderReach = 2.0; // distance in contact radii beyond which a border has no effect
 
-/// The reduction of the global compliance of a body with mean curvature κ compared with a
-/// half-space, divided by a |κ|: 2 |C_g E* R_b|, from finite elements on balls and in cavities.
+/// The reduction of the global compliance of a body with mean curvature κ, compared with a
+/// half-space, divided by a |κ|: 2 |C_g E* R_b|. From finite elements of spheres and cavities.
 double wholeCompliance(double radius, double meanCurvature, double poissonRatio)
 {
-  // C_g E* R_b is -0.19 to -0.23 at ν = 0.45. Its magnitude is less for a compressible body.
+  // C_g E* R_b is -0.19 to -0.23 at ν = 0.45. Its magnitude is smaller for a compressible body.
   constexpr double ball = 0.46;
   if (!(meanCurvature < 0.0))
   {
@@ -43,10 +44,10 @@ double wholeCompliance(double radius, double meanCurvature, double poissonRatio)
   return ball + 0.975 * n + 0.32 * n * n * logarithm;
 }
 
-/// Effects of curvature on the force of a contact, relative to that force.
+/// Effects of the curvature on the force of a contact, relative to that force.
 struct CurvatureEffect
 {
-  double perCurvature; ///< first order, mm
+  double perCurvature; ///< first-order effect per unit curvature, mm
   double sag;
   double structural;
 };
@@ -58,7 +59,8 @@ CurvatureEffect effectOf(
   const double mean = std::abs(curvature.mean());
   const double perCurvature = 2.0 / 3.0 * a * a * a / state.force;
   const double first = perCurvature * mean;
-  // In a hollow the second order increases the effect: for a sphere 1/√(1-2x) - 1 = x + 3/2 x².
+  // In a hollow the second-order term increases the effect: for a sphere 1/√(1-2x) - 1 = x + 3/2
+  // x².
   return { perCurvature, curvature.mean() < 0.0 ? first * (1.0 + 2.0 * first) : first,
     spot.compliance == 0.0 ? wholeCompliance(a, curvature.mean(), spot.poissonRatio) * a * mean
                            : 0.0 };
@@ -155,19 +157,19 @@ double ErrorRule::stackPart(const ContactSpot& spot, const LocalState& state) co
   const double a = state.radius;
   struct Part
   {
-    double share;    // fraction of the depth, not normalised
+    double share;    // fraction of the depth, before normalization
     double pressure; // pressure on the layer divided by its E*
     double ratio;
-    double thickness; // 0: infinite
+    double thickness; // mm; 0 if it is infinite
   };
   std::array<Part, LayerStack::MostLayers + 1> parts;
   std::size_t count = 0;
   const auto modulusOf = [](const StackLayer& layer)
   { return reducedModulus(layer.youngsModulus, layer.poissonRatio); };
   const double first = modulusOf(this->Scope.stack->layers.front());
-  double above = 0.0; // depth of the layer's top below the surface
-  // Below the centre of a uniform pressure on a circle the stress is the pressure times 1 -
-  // (z/√(a²+z²))³. This function is the integral of that factor over z.
+  double above = 0.0; // depth of the layer's top below the surface, mm
+  // Below the centre of a uniform pressure on a circle, the stress is the pressure times 1 -
+  // (z/√(a²+z²))³. This function is the integral of this factor over z.
   const auto taken = [a](double z)
   {
     const double slant = std::hypot(a, z);
@@ -223,8 +225,8 @@ double ErrorRule::curvaturePart(
   const double toolDepth =
     state.toolDepth < 0.0 ? this->Tool.depthAtContactRadius(a) : state.toolDepth;
   const double toolCurvature = toolDepth / (a * a);
-  // In full contact a flat end depends only on the mean curvature. Before full contact no law is
-  // valid in a hollow.
+  // In full contact the law of a flat end depends only on the mean curvature. Before full contact
+  // no law is valid in a hollow.
   const double end = this->Tool.smallestContactRadius();
   const bool isWhole = end > 0.0 && a > 0.99 * end;
   const double ellipse = curvature.isFlat()   ? 0.0

@@ -15,9 +15,10 @@ namespace
 {
 using Eigen::Vector3d;
 
-// Smallest cosine between the normals of facets in a patch.
+// Smallest cosine between the normals of two facets in one patch.
 constexpr double LeastPatchCosine = 0.15;
-// Fraction of a cell's area. A patch with a smaller area does not define a normal.
+// Smallest area of a patch as a fraction of a cell's area. The normal of a smaller patch is not
+// used.
 constexpr double LeastArea = 0.2;
 
 double cosineBetween(const Vector3d& one, const Vector3d& other)
@@ -68,7 +69,7 @@ FacePatches::FacePatches(const EdgeSurface& surface, double cell, double longAre
   this->findNext();
 }
 
-/// Sorts facets by their cells, lexicographically. Facets of one cell keep their order. `begin`
+/// Sorts facets lexicographically by their cells. Facets of one cell keep their order. `begin`
 /// receives the first position of each cell, and finally the number of facets.
 std::vector<std::int32_t> FacePatches::sortByCell(
   const std::vector<std::int32_t>& facets, std::vector<std::size_t>& begin) const
@@ -123,7 +124,8 @@ std::vector<std::int32_t> FacePatches::sortByCell(
   return sorted;
 }
 
-/// Combines the facets whose centres are in one cell and whose normals are similar into one patch.
+/// Combines the facets of each cell whose normals are similar into one patch. A facet belongs to
+/// the cell that contains its centre.
 void FacePatches::makePatches(double longArea)
 {
   std::vector<std::int32_t> facets;
@@ -146,7 +148,7 @@ void FacePatches::makePatches(double longArea)
   const std::vector<std::int32_t> sorted = this->sortByCell(facets, begin);
   for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell)
   {
-    const std::size_t first = this->Patches.size(); // first patch of the cell
+    const std::size_t first = this->Patches.size(); // index of the first patch of this cell
     for (std::size_t i = begin[cell]; i < begin[cell + 1]; ++i)
     {
       const auto t = static_cast<std::size_t>(sorted[i]);

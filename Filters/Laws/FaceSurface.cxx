@@ -50,7 +50,7 @@ void FaceSurface::cut(const LinkedSurface& surface)
   }
   const TriangleLinks links(corners, this->PointOf.size());
   const CreaseCut creases(corners, corners.size(), local, links, BodyEdges::LeastTurn);
-  // Copy of a point for each pair of point and face.
+  // The copy of a point for each pair of point and face.
   std::map<std::pair<std::int32_t, int>, std::int32_t> copies;
   for (std::size_t t = 0; t < corners.size(); ++t)
   {

@@ -16,11 +16,12 @@
 namespace palpate
 {
 /// A surface that is cut along its sharp edges (CreaseCut). A point on an edge has one copy for
-/// each face at this edge, with the normal of that face. The copies follow the given points.
+/// each face at the edge, with the normal of that face. The copies are appended to the given
+/// points.
 class FaceSurface
 {
 public:
-  /// `normals`: 3 floats per point, unit length.
+  /// `normals` has 3 floats per point, unit length.
   FaceSurface(const TriangleSpans& surface, const float* normals);
 
   TriangleSpans spans() const
@@ -29,7 +30,7 @@ public:
       this->Triangles.size() / 3 };
   }
   const std::vector<float>& normals() const noexcept { return this->Normals; }
-  /// Returns the given point of which `point` is a copy. A given point is returned unchanged.
+  /// Returns the given point from which `point` was copied. A given point is returned unchanged.
   std::int32_t pointOf(std::size_t point) const noexcept { return this->PointOf[point]; }
 
 private:
@@ -43,12 +44,12 @@ private:
   std::vector<bool> IsCut; ///< whether each point is on a sharp edge
 };
 
-/// The curvature of the faces between sharp edges (SurfaceCurvature::ofFaces) for any number of
-/// contact radii. Does not refer to the arrays from which it is made.
+/// The curvature of the faces between sharp edges (SurfaceCurvature::ofFaces), for any number of
+/// contact radii. Does not refer to the arrays after construction.
 class PALPATE_EXPORT FaceForms
 {
 public:
-  /// `normals`: 3 floats per point, unit length.
+  /// `normals` has 3 floats per point, unit length.
   FaceForms(const TriangleSpans& surface, const float* normals);
 
   SurfaceCurvature curvature(double contactRadius) const;

@@ -21,15 +21,15 @@ struct TriangleSpans
   std::size_t triangleCount = 0;
 };
 
-/// The mean distance of neighbouring points, mm: the square root of the area per used point. NaN if
-/// there are no used points.
+/// Returns the mean distance of neighbouring points, mm: the square root of the area per used
+/// point. NaN if there are no used points.
 double pointSpacing(const TriangleSpans& surface);
 
 /// A surface with the links between its points and facets. Facets without an area are ignored;
 /// their corners are -1 and their area is 0.
 struct LinkedSurface
 {
-  /// The arrays that `surface` points to must outlive this.
+  /// The arrays that `surface` points to must outlive this object.
   explicit LinkedSurface(const TriangleSpans& surface);
 
   Eigen::Vector3d place(std::int32_t point) const
@@ -38,16 +38,17 @@ struct LinkedSurface
       this->spans.points + 3 * static_cast<std::size_t>(point));
   }
 
-  /// Number of points that have a facet.
+  /// Returns the number of points that belong to at least one facet.
   std::size_t usedPoints() const;
 
   TriangleSpans spans;
   std::vector<TriangleCorners> corners;
-  std::vector<Eigen::Vector3d> areas; ///< areas of the facets as vectors along their normals, mm²
+  /// Area vectors of the facets: directed along the normal, with the area as length, mm².
+  std::vector<Eigen::Vector3d> areas;
   TriangleLinks links;
 
 private:
-  /// Also sets `areas`.
+  /// Finds the corners and areas of the facets.
   const std::vector<TriangleCorners>& findCorners();
 };
 } // namespace palpate

@@ -13,13 +13,15 @@ namespace palpate
 namespace
 {
 constexpr int NodeCount = 64;
-// Fewer nodes, because each is solved at every point. The error is 2e-5, 16 times as large.
+// Fewer nodes are used on layers, because each node is solved at every point. The error is 2e-5, 16
+// times as large.
 constexpr int LayerNodeCount = 32;
-// In a hollow the contact is wider at equal depth. Therefore the tool's nodes extend to about twice
-// the depth. This suffices for a sum of curvatures of half the tool's curvature.
+// In a hollow the contact is wider at the same depth. Therefore the tool's nodes extend to about
+// twice the depth. This suffices if the sum of the curvatures is at least half the tool's
+// curvature.
 constexpr double HollowFactor = 2.1;
 constexpr double NegativeComplianceFactor = 3.0;
-// The sag's contact radius must exceed the tool's on any layer.
+// The contact radius of the sag must exceed that of the tool on any layer.
 constexpr double SagFactor = 2.0;
 
 std::vector<double> nodeDepths(double deepest, int count)

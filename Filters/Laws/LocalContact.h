@@ -17,36 +17,38 @@ class AxisymmetricTool;
 class StrainCorrection;
 
 /**
- * The local contact of one tool, with corrections to the law on a flat body at small strain. The
+ * The local contact of one tool, with corrections to the law for a flat body at small strain. The
  * corrections are the curvature of the body (CurvedContact.h) and finite strain
- * (StrainCorrection.h). The strain factor is evaluated at the depth at which the tool has the same
- * contact radius on the flat body.
+ * (StrainCorrection.h). The factor for finite strain is evaluated at the depth at which the tool
+ * has the same contact radius on the flat body.
  *
- * On a half-space each depth is solved (CurvedHalfSpace.h). Elsewhere the contact is interpolated
- * between nodes; see NodeLaw for the error. Cost: 40 ns per depth on a half-space, 0.3 µs with
- * finite strain; 3 µs per law on a layer. Safe to use from any number of threads once it is
- * prepared.
+ * On a half-space the contact is solved at each depth (CurvedHalfSpace.h). On a layer it is
+ * interpolated between nodes; see NodeLaw for the error. Cost: 40 ns per depth on a half-space, 0.3
+ * µs with finite strain; 3 µs per law on a layer. Once it is prepared, it can be used from any
+ * number of threads.
  */
 class PALPATE_EXPORT LocalContact
 {
 public:
-  /// Valid at least to `range` (mm). With `deeper`, valid to three times the range, as a negative
-  /// compliance requires. `tool` and `strain` (null: small strain) must outlive this.
+  /// The contact is valid at least to `range` (mm). With `deeper`, it is valid to three times the
+  /// range, as needed for a negative compliance. `strain` is null for small strain. `tool` and
+  /// `strain` must outlive this object.
   LocalContact(
     const AxisymmetricTool& tool, double range, bool deeper, const StrainCorrection* strain);
   ~LocalContact();
 
   void prepareLayers(const LayerTable::Layers& layers);
 
-  /// Whether a correction applies at a spot.
+  /// Returns whether a correction applies at a spot.
   bool corrects(const ContactSpot& spot) const
   {
     return this->Strain != nullptr || !spot.curvature.isFlat();
   }
-  /// Whether the law is valid at the spot: its layer must be thick enough.
+  /// Returns whether the law is valid at the spot. The layer must be thick enough.
   bool answers(const ContactSpot& spot) const;
-  /// The contact for E* = 1 at a spot for which answers() is true. Sets `fits` to true if the tool
-  /// fits into the body down to the range. If it does not fit, the law is that of the flat body.
+  /// Returns the contact for E* = 1 at a spot for which answers() is true. Sets `fits` to whether
+  /// the tool fits into the body down to the range. If it does not fit, the law is that of the flat
+  /// body.
   NodeLaw law(const ContactSpot& spot, bool& fits) const;
   NodeLaw law(const ContactSpot& spot) const
   {
@@ -54,8 +56,8 @@ public:
     return this->law(spot, fits);
   }
 
-  /// Whether states() can be used. The spot must be a half-space, and its compliance must be 0, or
-  /// may be positive if strain is small.
+  /// Returns whether states() can be used. The spot must be a half-space. Its compliance must be 0;
+  /// with small strain it may also be positive.
   bool isDirect(const ContactSpot& spot) const
   {
     return !(spot.thickness > 0.0) &&

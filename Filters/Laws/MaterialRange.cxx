@@ -23,14 +23,14 @@ void addRatio(double poissonRatio, std::vector<double>& ratios)
   {
     ratios.insert(place, poissonRatio);
   }
-  else if (!known) // the list is full: only the range is stored
+  else if (!known) // the list is full: only its smallest and largest values are updated
   {
     ratios.front() = std::min(ratios.front(), poissonRatio);
     ratios.back() = std::max(ratios.back(), poissonRatio);
   }
 }
 
-/// Includes the layers of a place.
+/// Includes the layers of one place in `layers` and `second`.
 void include(const LayerPlace& place, LayerTable::Layers& layers, ThicknessSpan& second)
 {
   if (place.thickness > 0.0)
@@ -46,7 +46,7 @@ void include(const LayerPlace& place, LayerTable::Layers& layers, ThicknessSpan&
   }
 }
 
-/// Includes other layers.
+/// Includes another range of layers in `layers` and `second`.
 void include(const LayerTable::Layers& other, const ThicknessSpan& otherSecond,
   LayerTable::Layers& layers, ThicknessSpan& second)
 {
@@ -129,7 +129,7 @@ void MaterialRange::widen(const ContactSpot& spot)
     this->extremes.assign(4, spot);
   }
   const auto softness = [](const ContactSpot& at) { return at.reducedModulus * at.compliance; };
-  const auto thinness = [](const ContactSpot& at) // 0 for a half-space
+  const auto thinness = [](const ContactSpot& at) // thinness; 0 for a half-space
   {
     return (at.thickness > 0.0 ? 1.0 / at.thickness : 0.0) +
       (at.second > 0.0 ? 1.0 / at.second : 0.0);

@@ -26,7 +26,7 @@ struct Axis
   int nodes = 1;
 
   Axis() = default;
-  /// The distance between nodes is at most `spacing`.
+  /// Spaces the nodes evenly from `from` to `to`, at most `spacing` apart.
   Axis(double from, double to, double spacing)
     : first(from)
     , last(to)
@@ -39,8 +39,8 @@ struct Axis
     return this->nodes < 2 ? this->first
                            : this->first + (this->last - this->first) * node / (this->nodes - 1);
   }
-  /// The weight of a node at a value of the parameter. Beyond an end of the axis, the weight is
-  /// that at the end.
+  /// Returns the weight of a node at a value of the parameter. Beyond an end of the axis, the
+  /// weight is that at the end.
   double weightOf(int node, double place) const
   {
     if (this->nodes < 2)
@@ -53,7 +53,7 @@ struct Axis
   }
 };
 
-/// The grid of parameters. Each node has one law of the tool.
+/// The grid of parameters. Each grid node has one law of the tool.
 class TiltGrid
 {
 public:
@@ -62,7 +62,8 @@ public:
     , Radius(tool.tool().contactRadius(range))
   {
     // The error of linear interpolation is an eighth of the squared spacing times the second
-    // derivative. These spacings limit the error to 1 % of the force on layers and in series.
+    // derivative. With these spacings the error is at most 1 % of the force on layers and in
+    // series.
     constexpr double Thickness = 0.1;
     constexpr double Ratio = 0.05;
     constexpr double Yielding = 0.15;
@@ -97,7 +98,7 @@ public:
   }
 
   double thinnest() const { return this->Thinnest; }
-  /// Whether all layers are too thin for a law.
+  /// Returns whether all layers are too thin for a law.
   bool isTooThin() const
   {
     return this->Bounds.hasLayers() && this->Thinnest > this->Bounds.layers.thickest &&
@@ -123,8 +124,8 @@ public:
       {
         const std::array<int, 4> node = this->nodeOf(law);
         const double place = this->Axes[0].at(node[0]);
-        // A kernel is valid for one Poisson's ratio or one stack. All laws with the same ratio or
-        // stack share the kernel, also the laws in series with a compliance.
+        // A kernel is valid for one Poisson's ratio or one stack. All laws with the same Poisson's
+        // ratio or stack share the kernel, including the laws in series with a compliance.
         made[law].thickness = place > 0.0 ? this->thicknessAt(place) : 0.0;
         const double yielding = this->Axes[3].at(node[3]);
         made[law].yielding = yielding / ((1.0 - yielding) * 2.0 * this->Radius);
@@ -173,14 +174,14 @@ private:
   double thicknessAt(double place) const { return this->Radius * (1.0 / place - 1.0); }
   double yieldingPlace(const ContactSpot& spot) const
   {
-    // If the compliance is so negative that the curve folds, the point has no response and requires
-    // no tilt factor.
+    // If the compliance is so negative that the curve folds, the point has no response and needs no
+    // tilt factor.
     constexpr double Stiffest = -0.4;
     const double yielding =
       std::max(Stiffest, spot.compliance * spot.reducedModulus * 2.0 * this->Radius);
     return yielding / (1.0 + yielding);
   }
-  /// Index of the first node that is a layer, not a half-space.
+  /// Returns the index of the first node that is a layer instead of a half-space.
   int firstLayer() const { return this->Axes[0].at(0) > 0.0 ? 0 : 1; }
 
   std::array<int, 4> nodeOf(std::size_t law) const
@@ -221,7 +222,7 @@ private:
     return std::make_shared<const LayerKernel>(stack);
   }
 
-  /// Removes nodes from the densest axis until the table has room for all laws.
+  /// Removes nodes from the axis with the smallest spacing until the table has room for all laws.
   void limitLaws()
   {
     const std::array<Axis, 4> wanted = this->Axes;
@@ -237,7 +238,8 @@ private:
         densest = density > most ? axis : densest;
         most = std::max(most, density);
       }
-      --this->Axes[densest].nodes; // the loop ends: four axes of two nodes each have sixteen laws
+      // The loop ends, because four axes of two nodes each have only sixteen laws.
+      --this->Axes[densest].nodes;
     }
   }
 
@@ -258,7 +260,7 @@ private:
         return LayerContact(*tilted, own, thickness).deepest() >= range;
       };
       constexpr double Thicker = 1.1;
-      constexpr int MostSteps = 300; // enough for a factor of 1e12
+      constexpr int MostSteps = 300; // enough for a thickness ratio of 1e12
       for (int step = 0; step < MostSteps && !answers(answered); ++step)
       {
         answered *= Thicker;

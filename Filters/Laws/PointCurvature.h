@@ -12,28 +12,28 @@
 
 namespace palpate
 {
-/// The two principal curvatures of a point, and the error of their mean, 1/mm.
+/// The two principal curvatures at a point, and the error of their mean, 1/mm.
 using PointCurvature = std::array<float, 3>;
 
-// Variances of averages along each axis. ContactVariance is the variance of the area over which a
-// contact averages, in squared contact radii; the others are in squared distances of points. For a
-// wave with the wavenumber k on a triangular lattice with edges e, the curvature by sags is too
-// small by (k e)²/12, and the curvature by turns by (k e)²/4.
+// Variances of the averages along each axis. ContactVariance is that of the area over which a
+// contact averages, in squared contact radii. The other variances are in squared distances of
+// points. On a triangular lattice with edges e, for a wave with the wavenumber k, the curvature by
+// sags is too small by (k e)²/12, and the curvature by turns by (k e)²/4 (see PointForm).
 inline constexpr double ContactVariance = 0.1;
 inline constexpr double SagVariance = 0.192;
 inline constexpr double TurnVariance = 0.577;
 inline constexpr double StepVariance = 0.5;
 // Squared edge length of the lattice, in squared distances of points.
 inline constexpr double EdgeSquare = 1.155;
-/// The largest weight of the sags, for contacts smaller than the facets.
+/// The largest weight of the curvature by sags, used for contacts smaller than the facets.
 inline constexpr double LargestSagWeight = 1.5;
 // Factors for errors that are estimated from a few neighbours. The results bound 95 of 100 errors;
-// see SurfaceCurvatureTest.cxx.
-// Factor for one point, on roughness, residual and difference.
+// see SurfaceCurvatureTest.cxx. PointFactor is the factor on roughness, residual and difference at
+// one point.
 inline constexpr double PointFactor = 0.7;
-inline constexpr double NoisyPointFactor = 2.5; // factor for one point with noise
+inline constexpr double NoisyPointFactor = 2.5; // factor for one point if the surface is noisy
 
-/// The eigenvalues of a second fundamental form, and the error of their mean.
+/// Returns the eigenvalues of a second fundamental form, and the error of their mean.
 inline PointCurvature principal(const Eigen::Vector3d& form, double error)
 {
   const double mean = 0.5 * (form[0] + form[2]);
@@ -42,8 +42,8 @@ inline PointCurvature principal(const Eigen::Vector3d& form, double error)
     static_cast<float>(error) };
 }
 
-/// The curvature for a contact that is not wider than the area over which the turns average.
-/// `noise` is the fraction of noise of the surface, 0 to 1.
+/// Returns the curvature for a contact that is not wider than the area over which the turns
+/// average. `noise` is the fraction of noise in the surface, 0 to 1.
 inline PointCurvature pointCurvature(
   const PointForm& fit, double roughness, double contactRadius, double noise)
 {

@@ -13,10 +13,10 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Weight that keeps the tilt small if few directions determine it.
+/// Weight of a regularization that keeps the tilt small if few directions determine it.
 constexpr double LeastTilt = 0.3;
-/// Least eigenvalue of the products, relative to the sum of weights. Below it there are fewer than
-/// three distinct directions.
+/// Smallest eigenvalue of the products, relative to the sum of weights. A smaller eigenvalue means
+/// that there are fewer than three distinct directions.
 constexpr double LeastSpread = 1e-3;
 } // namespace
 
@@ -37,7 +37,7 @@ void PointFormSums::add(const Vector3d& edge, const Vector3d& turn)
   const double t = edge.dot(this->Frame.first);
   const double u = edge.dot(this->Frame.second);
   const double flat = t * t + u * u;
-  const double weight = edge.squaredNorm(); // an error of a normal has more effect on a short edge
+  const double weight = edge.squaredNorm(); // the error of a normal has more effect on a short edge
   const double turned = edge.dot(turn) / weight;
   const double sagged = -2.0 * edge.dot(this->Normal) / weight;
   if (!(flat > 0.0) || !std::isfinite(turned))
@@ -51,8 +51,8 @@ void PointFormSums::add(const Vector3d& edge, const Vector3d& turn)
   this->Square += weight * turned * turned;
   this->Weight += weight;
   this->Count += 1.0;
-  // A tilt of the normal changes the curvature by a sag. The change is twice the part of the tilt
-  // along the edge, divided by the length of the edge.
+  // A tilt of the normal changes the curvature by a sag. The change is twice the component of the
+  // tilt along the edge, divided by the length of the edge.
   const Eigen::Vector2d along = -2.0 / std::sqrt(flat) * Eigen::Vector2d(t, u);
   const double length = std::sqrt(weight);
   this->Mixed += length * row * along.transpose();
@@ -60,8 +60,8 @@ void PointFormSums::add(const Vector3d& edge, const Vector3d& turn)
   this->TiltSags += length * sagged * along;
 }
 
-/// Fits the form to the sags together with a small tilt of the tangent plane, because the normal of
-/// few triangles is inexact.
+/// Fits the form to the sags together with a small tilt of the tangent plane, because a normal
+/// computed from few triangles is inexact.
 Vector3d PointFormSums::sagForm() const
 {
   const Eigen::Matrix2d tilts = this->Tilts + LeastTilt * this->Count * Eigen::Matrix2d::Identity();
@@ -80,7 +80,8 @@ PointForm PointFormSums::fit() const
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spread(this->Products, Eigen::EigenvaluesOnly);
   if (!(spread.eigenvalues()[0] > LeastSpread * this->Weight))
   {
-    // t² + u² = 1. Therefore the sum of the first and last product is the sum of the curvatures.
+    // t² + u² = 1. Therefore the sum of the first and the last product is the sum of the
+    // curvatures.
     const auto mean = [this](const Vector3d& sums) -> Vector3d
     { return (sums[0] + sums[2]) / this->Weight * Vector3d(1.0, 0.0, 1.0); };
     return { mean(this->Turns), mean(this->Sags), 2.0 * std::sqrt(this->Square / this->Weight),

@@ -15,9 +15,10 @@ struct TangentFrame
   explicit TangentFrame(const Eigen::Vector3d& normal);
 };
 
-/// The second fundamental form of a surface at a point, in its tangent frame (t², tu, u²), fitted
-/// in two ways: to the turns of the normals and to the sags of the neighbours. 1/mm, positive if
-/// convex.
+/// The second fundamental form of a surface at a point, in its tangent frame (t², tu, u²), 1/mm,
+/// positive if convex. It is fitted in two ways: to the turns, which are the differences of the
+/// normals along the edges, and to the sags, which are the depths of the neighbours below the
+/// tangent plane.
 struct PointForm
 {
   Eigen::Vector3d byTurns = Eigen::Vector3d::Zero();
@@ -25,20 +26,21 @@ struct PointForm
   double residual = 0.0;   ///< root mean square residual of the turns
   double edgeSquare = 0.0; ///< mean square of the edge lengths, mm²
 
-  /// The difference of the mean curvatures, by sags minus by turns.
+  /// Mean curvature by sags minus mean curvature by turns, 1/mm.
   double difference() const
   {
     return 0.5 * (this->bySags[0] + this->bySags[2] - this->byTurns[0] - this->byTurns[2]);
   }
 };
 
-/// The sums of the least-squares problem that fits a PointForm to the edges at a point.
+/// Sums for the least-squares problem that fits a PointForm to the edges at a point.
 class PointFormSums
 {
 public:
   explicit PointFormSums(const Eigen::Vector3d& normal);
 
-  /// Adds the edge to a neighbour, mm. `turn` is the difference of the unit normals at its ends.
+  /// Adds the edge to a neighbour, mm. `turn` is the difference of the unit normals at both ends of
+  /// the edge.
   void add(const Eigen::Vector3d& edge, const Eigen::Vector3d& turn);
   PointForm fit() const;
 
@@ -47,15 +49,17 @@ private:
 
   Eigen::Vector3d Normal;
   TangentFrame Frame;
-  // Sums over the edges, with the squared length of the edge as weight. p = (t², 2tu, u²) of the
-  // direction.
+  // Sums over the edges, weighted by the squared length of each edge. p = (t², 2tu, u²) of the
+  // direction of the edge.
   Eigen::Matrix3d Products = Eigen::Matrix3d::Zero(); ///< sum of p pᵀ
-  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();    ///< sum of p times the curvature by the turn
-  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();     ///< sum of p times the curvature by the sag
-  double Square = 0.0;                                ///< sum of the squared curvature by the turn
+  /// Sum of p times the curvature that follows from the turn.
+  Eigen::Vector3d Turns = Eigen::Vector3d::Zero();
+  /// Sum of p times the curvature that follows from the sag.
+  Eigen::Vector3d Sags = Eigen::Vector3d::Zero();
+  double Square = 0.0; ///< sum of the squared curvatures that follow from the turns
   double Weight = 0.0;
   double Count = 0.0; ///< number of edges
-  // The corresponding sums for a tilt of the tangent plane.
+  // The corresponding sums for a tilt of the tangent plane, which is fitted together with the sags.
   Eigen::Matrix<double, 3, 2> Mixed = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Matrix2d Tilts = Eigen::Matrix2d::Zero();
   Eigen::Vector2d TiltSags = Eigen::Vector2d::Zero();

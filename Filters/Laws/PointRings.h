@@ -14,16 +14,16 @@ namespace palpate
 class PointRings
 {
 public:
-  /// The arrays that `surface` points to are not used after construction.
+  /// The arrays that `surface` points to are used only during construction.
   explicit PointRings(const TriangleSpans& surface)
     : VisitBegin(surface.pointCount + 1, 0)
     , NeighbourBegin(surface.pointCount + 1, 0)
     , Visits(6 * surface.triangleCount)
   {
     const std::vector<std::size_t> corners = this->sortCorners(surface);
-    // Position in the list of neighbours of the point in `seenAt`.
+    // Position in the list of neighbours of the point stored in `seenAt`.
     std::vector<std::uint32_t> placeOf(surface.pointCount, 0);
-    // Last point that has this neighbour, plus one.
+    // Index plus one of the last point that has this neighbour.
     std::vector<std::uint32_t> seenAt(surface.pointCount, 0);
     this->Neighbours.reserve(6 * surface.pointCount);
     std::size_t visit = 0;
@@ -52,8 +52,8 @@ public:
   }
 
   /// Visits the two other corners of each triangle at a point, with the triangles in ascending
-  /// order. A neighbour that two triangles share is visited twice. Calls visit(neighbour, place),
-  /// where `place` is the position of the neighbour in the order of forEachNeighbour().
+  /// order. A neighbour that belongs to two triangles is visited twice. Calls visit(neighbour,
+  /// place), where `place` is the position of the neighbour in the order of forEachNeighbour().
   template <class Visit>
   void forCorners(std::size_t point, const Visit& visit) const
   {
@@ -76,8 +76,8 @@ public:
   }
 
 private:
-  /// Returns the corners of all triangles, sorted by their points. The number of a corner is three
-  /// times the triangle, plus 0 to 2. Also sets VisitBegin.
+  /// Returns the corners of all triangles, sorted by their points. The index of a corner is three
+  /// times the index of its triangle, plus 0 to 2. Also sets VisitBegin.
   std::vector<std::size_t> sortCorners(const TriangleSpans& surface)
   {
     std::vector<std::size_t> begin(surface.pointCount + 1, 0);
@@ -100,7 +100,8 @@ private:
 
   std::vector<std::size_t> VisitBegin;
   std::vector<std::size_t> NeighbourBegin;
-  std::vector<std::uint32_t> Visits; ///< positions in the lists of neighbours
+  /// For each visit, the position of the neighbour in the list of neighbours.
+  std::vector<std::uint32_t> Visits;
   std::vector<std::uint32_t> Neighbours;
 };
 } // namespace palpate

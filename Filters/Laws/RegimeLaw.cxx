@@ -15,12 +15,13 @@ namespace palpate
 {
 namespace
 {
-// Step of the logarithm of the size. The error of the central difference is step²/6, about 2e-5.
+// Step of the logarithm of the tool's size. The error of the central difference is step²/6, about
+// 2e-5.
 constexpr double SizeStep = 0.01;
-constexpr int Samples = 8; // number of samples of laws that are not stored
+constexpr int Samples = 8; // number of samples of laws that are not stored with the response
 constexpr double ResponseAgreement = 0.02;
 
-/// The forces of a response whose law includes the body's curvature.
+/// Computes the forces of a response whose law includes the body's curvature.
 std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMaterial& material,
   const ComparedResponse& stored, const std::vector<double>& depths)
 {
@@ -44,8 +45,8 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
         spot.curvature = stored.curvature(i);
         if (contact.isDirect(spot))
         {
-          // Solves down to the range, because the result at the range decides whether the tool
-          // fits.
+          // Solves the contact down to the range, because the result at the range decides whether
+          // the tool fits.
           const std::vector<double> both = { depths[i],
             std::max(depths[i], static_cast<double>(ranges[i])) };
           std::array<LocalState, 2> states;
@@ -63,8 +64,8 @@ std::vector<double> curvedForces(const AxisymmetricTool& tool, const BodyMateria
   return forces;
 }
 
-/// Finds a point at which the stored response does not match `forces` at `depths`. Returns a
-/// message, or "" if all match.
+/// Searches for a point at which the stored response does not match `forces` at `depths`. Returns a
+/// message if there is one, or "" if all points match.
 std::string compare(const ComparedResponse& given, const std::vector<double>& depths,
   const std::vector<double>& forces)
 {

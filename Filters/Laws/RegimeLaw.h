@@ -20,31 +20,32 @@ namespace palpate
 {
 class BodyMaterial;
 
-/// How local a contact is, and whether the tool's shape matters (ContactRegime.h). Without a stable
-/// contact the numbers are NaN and the verdict is ShapeMatters.
+/// How local a contact is, and whether the shape of the tool has an effect (ContactRegime.h). If
+/// there is no stable contact, the numbers are NaN and the verdict is ShapeMatters.
 struct SpotRegime
 {
-  double index = 0.0;       ///< λ
+  double index = 0.0;       ///< regime index λ
   double sensitivity = 0.0; ///< dlnF/dln(size) at fixed deflection
   RegimeVerdict verdict = RegimeVerdict::ShapeMatters;
 };
 
 /**
- * The regime of one tool, from its own law and the laws of a slightly smaller and a slightly larger
- * tool. Safe to use from any number of threads.
+ * Computes the regime of one tool from its own law and the laws of a slightly smaller and a
+ * slightly larger tool. Can be used from any number of threads.
  */
 class PALPATE_EXPORT RegimeLaw
 {
 public:
-  /// `tool` must outlive this. Valid for depths up to `deepest` (mm) at spots within `range`.
+  /// The laws are valid for depths up to `deepest` (mm) at spots within `range`. `tool` must
+  /// outlive this object.
   RegimeLaw(const AxisymmetricTool& tool, const MaterialRange& range, double deepest);
 
-  /// Whether the tool can be scaled. If not, the functions below must not be called.
+  /// Returns whether the tool can be scaled. If not, the following functions must not be called.
   bool complete() const noexcept { return !this->Laws.empty(); }
 
-  /// Force, N.
+  /// Returns the force at `depth` (mm), N.
   double force(const ContactSpot& spot, double depth) const;
-  /// `force` is the force at `depth`, N.
+  /// Returns the regime at `depth` (mm). `force` is the force at this depth, N.
   SpotRegime regime(const ContactSpot& spot, double depth, double force) const;
 
 private:
@@ -64,23 +65,24 @@ struct RegimeSpans
   std::uint8_t* verdict;
 };
 
-/// A response of a body, its name, and the curvatures in its law. `curvature` is empty if the law
-/// is that of a flat surface.
+/// A response of a body with its name, and the curvatures that its law includes. `curvature` is
+/// empty if the law is that of a flat surface.
 struct ComparedResponse
 {
   ResponseArrays arrays;
   std::string name;
   std::function<SpotCurvature(std::size_t)> curvature = {};
-  std::function<double(std::size_t)> error = {}; ///< stated relative error of a force at a point
+  /// Relative error of the force that the response states at a point.
+  std::function<double(std::size_t)> error = {};
 };
 
 /**
  * Computes the regime of a tool that is pressed to the depth `depths[i]` (mm, > 0) at each point i
- * of a body. `stored`, unless null, is the response of the same tool on the body. The regime must
- * belong to the same body. Therefore the force of `stored` must agree to 2 % (its storage error in
- * series) or to its stated error if that is larger. Depths below a hundredth of its range are not
- * compared. Returns "" if all is valid, else a message that names the point. The bits do not depend
- * on the number of threads.
+ * of a body. `stored`, unless null, is the response of the same tool on the body. To check that
+ * both belong to the same body, the force of `stored` is compared with that of the law: it must
+ * agree to 2 % (its storage error in series) or to its stated error if that is larger. Depths below
+ * a hundredth of its range are not compared. Returns "" if all values are valid, else a message
+ * that names the point. The result is bit for bit the same for any number of threads.
  */
 PALPATE_EXPORT std::string regime(const AxisymmetricTool& tool, const BodyMaterial& material,
   const std::vector<double>& depths, double deepest, const ComparedResponse* stored,

@@ -20,12 +20,12 @@ struct TableRow
   double exponent;
   std::array<double, Elements.size()> error;
 };
-// Columns QLV_U, C4^2, C8^2, C16^2 of tick_variants.csv: the largest error of all runs at full
-// depth.
+// Columns QLV_U, C4^2, C8^2 and C16^2 of tick_variants.csv: the largest errors over all runs at
+// full depth.
 constexpr std::array<TableRow, 3> Table = { { { 1.0, { 7.3e-5, 7.3e-5, 7.3e-5, 7.3e-5 } },
   { 1.5, { 0.1025, 0.0400, 0.0126, 0.0040 } }, { 2.0, { 0.1200, 0.0812, 0.0295, 0.0091 } } } };
 
-/// The error for one column of the table, which is one number of elements.
+/// Returns the error for one column of the table. A column is one number of elements.
 double errorAt(std::size_t column, double exponent)
 {
   const std::size_t lower = exponent < Table[1].exponent ? 0 : 1;

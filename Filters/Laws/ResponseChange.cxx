@@ -14,7 +14,8 @@ namespace
 {
 constexpr double StorageExponent = 1.0;
 constexpr int BetweenSamples = 8;
-// Relative difference above which one change counts as larger than another. Forces are floats.
+// Relative difference above which one change counts as larger than another. The forces are stored
+// as floats.
 constexpr double LeastDifference = 1e-4;
 
 FloatCurve curveOf(const ResponseSpans& spans, std::size_t i)

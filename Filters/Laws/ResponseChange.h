@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The relative difference between two responses of one tool at one point; NaN if unknown.
+/// The relative difference between two responses of one tool at one point; NaN if it is unknown.
 struct ResponseChange
 {
   double force = 0.0;     ///< (F - F₀)/F₀
@@ -16,12 +16,13 @@ struct ResponseChange
 };
 
 /**
- * Finds the difference in force between `changed` and `usual` at point `i` that is largest in
- * magnitude. Both are stored with exponent 1. The compared depths are even in √depth, eight per
- * sample, from 1/samples² of the largest depth to the largest depth. The largest depth is the
- * smallest of `deepest` (mm), both ranges and, with `withinValidity`, both validities. If the
- * changes at several depths are equal to 1e-4, the smallest of these depths is returned. All values
- * are NaN if one of the two has no response, or if there is no depth to compare.
+ * Finds the depth at which the relative difference in force between `changed` and `usual` at point
+ * `i` has the largest magnitude. Both must be stored with exponent 1. The compared depths are
+ * evenly spaced in √δ, eight per sample, from 1/samples² of the largest depth to the largest depth.
+ * The largest depth is the smallest of `deepest` (mm), both ranges and, with `withinValidity`, both
+ * validities. If the changes at several depths are equal within 1e-4, the smallest of these depths
+ * is returned. All values are NaN if one of the two has no response, or if there is no depth to
+ * compare.
  */
 PALPATE_EXPORT ResponseChange largestChange(const ResponseSpans& changed,
   const ResponseSpans& usual, std::size_t i, double deepest, bool withinValidity);

@@ -16,14 +16,15 @@ namespace palpate
 namespace
 {
 constexpr auto Valid = static_cast<unsigned char>(ResponseStatus::Valid);
-// Number of blocks; the caller can stop the computation after each.
+// Largest number of blocks. The caller can stop the computation after each block.
 constexpr std::size_t MostBlocks = 20;
-// Points of a block per thread. A block takes some 50 ms. A caller that stops does not wait longer,
-// and the cost of starting threads is small.
+// Number of points of a block per thread. A block takes about 50 ms, so that a caller who stops the
+// computation waits at most this long, and the cost of starting threads is small.
 constexpr std::size_t PointsPerThread = 16384;
-constexpr double FirstContactDepth = 1e-3; // fraction of the first sample's depth
+// Depth of first contact, as a fraction of the first sample's depth.
+constexpr double FirstContactDepth = 1e-3;
 
-/// Whether the contact at a spot is that of a flat half-space, apart from the factor of the
+/// Returns whether the contact at a spot is that of a flat half-space, except for the factor of the
 /// modulus.
 bool isBare(const ContactSpot& spot)
 {

@@ -20,8 +20,8 @@ class BodyMaterial;
 class ResponseLaw;
 class StrainCorrection;
 
-/// The output arrays of a response. Most have one value per point; force (N) and stiffness (N/mm)
-/// have `samples` values per point.
+/// The output arrays of a response. Most arrays have one value per point. `force` (N) and
+/// `stiffness` (N/mm) have `samples` values per point.
 struct ResponseSpans
 {
   int samples;
@@ -31,62 +31,65 @@ struct ResponseSpans
   float* validity; ///< mm
   unsigned char* status;
   unsigned char* limit;
-  float* error = nullptr; ///< relative error at each sample; null: not stored
+  float* error = nullptr; ///< relative error at each sample; null if it is not stored
 };
 
-/// The errors of a measured body at each point; thread-safe. Used only if the error is estimated.
+/// The errors of a measured body at each point. The functions must be thread-safe. Used only if the
+/// error is estimated.
 struct MeasuredBodyError
 {
-  /// Relative error of the force at a sample (0 … n-1), caused by noise of the measurement and by
-  /// the distance to the measured site.
+  /// Returns the relative error of the force at a sample (0 … n-1) due to the noise of the
+  /// measurement and the distance from the measured site.
   std::function<double(std::size_t point, std::size_t sample)> data;
-  /// The contact with which the point was measured, for E* = 1. Its radius is 0 if the point was
-  /// not measured.
+  /// Returns the contact with which the point was measured, for E* = 1. Its radius is 0 if the
+  /// point was not measured.
   std::function<LocalState(std::size_t point)> contact;
 };
 
-/// The terms of a response in addition to the tool's law on a flat body at small strain, and the
-/// rule for its validity.
+/// Terms of a response in addition to the tool's law for a flat body at small strain, and the rule
+/// for its validity.
 struct ResponseTerms
 {
-  bool curvature = false;                   ///< the body's curvature
-  const StrainCorrection* strain = nullptr; ///< finite strain
-  /// Validity ends at the depth at which the estimated error exceeds this value; 0: validity by
-  /// ValidityRule.
+  bool curvature = false;                   ///< include the body's curvature
+  const StrainCorrection* strain = nullptr; ///< include finite strain; null for small strain
+  /// Validity ends at the depth at which the estimated error exceeds this value. With 0, validity
+  /// is determined by ValidityRule.
   double errorTolerance = 0.0;
-  const MeasuredBodyError* measured = nullptr; ///< the material was measured
-  bool edges = false; ///< the servo tick takes sharp edges into account (BodyEdges)
+  /// Data of a measured material; null if the material was not measured.
+  const MeasuredBodyError* measured = nullptr;
+  bool edges = false; ///< the servo tick corrects the effect of sharp edges (BodyEdges)
 };
 
-/// The shape of a body's surface at each point; thread-safe.
+/// The shape of a body's surface at each point. The functions must be thread-safe.
 struct SurfaceShape
 {
   double width = 0.0; ///< mm, width of the whole body
-  /// Largest normal curvature (1/mm), as in ValidityRule. Negative if the point has no triangle
-  /// with an area; the status of the point is then Degenerate.
+  /// Returns the largest normal curvature (1/mm), as defined in ValidityRule. Negative if the point
+  /// has no triangle with an area; the status of the point is then Degenerate.
   std::function<double(std::size_t)> bound;
-  /// The curvatures. Called only if a term requires them.
+  /// Returns the curvatures. Called only if a term requires them.
   std::function<SpotCurvature(std::size_t)> curvature;
-  /// The nearest edge. Called only if the error is estimated. Empty: the body has no edges.
+  /// Returns the nearest edge. Called only if the error is estimated. Empty if the body has no
+  /// edges.
   std::function<NearEdge(std::size_t)> edge = {};
 };
 
 /**
- * Fills the arrays of a response point by point: the curve of a law, its validity (ValidityRule.h
- * or ErrorRule.h), and the error at each sample if it is stored. The caller must set the status
- * first. The curve is zero if the status is not Valid.
+ * Fills the arrays of a response point by point with the curve of a law, its validity
+ * (ValidityRule.h or ErrorRule.h), and the error at each sample if it is to be stored. The caller
+ * must set the status first. The curve is zero if the status is not Valid.
  */
 class PALPATE_EXPORT ResponseFiller
 {
 public:
-  /// Tool, law and arrays must outlive this. `range` (mm) is the range of the law, `bodyWidth` (mm)
-  /// the width of the whole body.
+  /// `range` (mm) is the range of the law, `bodyWidth` (mm) the width of the whole body. Tool, law
+  /// and arrays must outlive this object.
   ResponseFiller(const AxisymmetricTool& tool, const ResponseLaw& law, double range,
     double bodyWidth, const ResponseSpans& spans);
 
   /// Enables the estimate of the error. Validity then ends at the depth at which the error exceeds
   /// `tolerance` (> 0). `contact` is the local contact of the law. `measured` is null if the
-  /// material is given, not measured. `contact` and `measured` must outlive this.
+  /// material was not measured. `contact` and `measured` must outlive this object.
   void estimate(const LocalContact& contact, const LawScope& scope, double tolerance,
     const MeasuredBodyError* measured = nullptr);
 
@@ -94,7 +97,7 @@ public:
   /// defined as in ValidityRule. It is negative if the point has no triangle with an area; the
   /// status of the point is then Degenerate.
   void fill(std::size_t i, const ContactSpot& spot, double curvature) const;
-  /// As above, with the surface at the point. The estimate of the error requires it.
+  /// As above, with the surface at the point, which the estimate of the error requires.
   void fill(std::size_t i, const ContactSpot& spot, double bound, const SpotSurface& surface) const;
 
 private:
@@ -114,9 +117,9 @@ private:
   ValidityRule Rule;
   const LocalContact* Contact = nullptr;
   const MeasuredBodyError* Measured = nullptr;
-  std::unique_ptr<ErrorRule> Errors; ///< null: error not estimated
-  std::vector<double> ErrorDepths;   ///< mm: first contact, then the depths of the samples
-  /// The contact at ErrorDepths on a flat half-space; empty with finite strain.
+  std::unique_ptr<ErrorRule> Errors; ///< null if the error is not estimated
+  std::vector<double> ErrorDepths;   ///< mm; depth of first contact, then the depths of the samples
+  /// The contact at ErrorDepths on a flat half-space; empty if the strain is finite.
   std::vector<LocalState> FlatStates;
   double Tolerance = 0.0;
 };
@@ -124,14 +127,14 @@ private:
 /// The results of a response in addition to its arrays.
 struct MadeResponse
 {
-  bool complete = false;   ///< false: stopped before the end
+  bool complete = false;   ///< false if the computation was stopped before the end
   double exponent = 0.0;   ///< exponent with the least storage error
   std::size_t without = 0; ///< number of points that have no response: their status is not Valid
 };
 
 /// Computes the response of a tool at each of `points` points of a body. Fills `spans`, whose
-/// status must be set before. `range` (mm) must pass the tool's checkDepth. `goOn(fraction)`
-/// receives the completed fraction; the computation stops if it returns false. The result is bit
+/// status must be set before. `range` (mm) must pass the tool's checkDepth. `goOn(fraction)` is
+/// called with the completed fraction; the computation stops if it returns false. The result is bit
 /// for bit the same for any number of threads.
 PALPATE_EXPORT MadeResponse response(const AxisymmetricTool& tool, const BodyMaterial& material,
   double range, std::size_t points, const SurfaceShape& shape, const ResponseTerms& terms,

@@ -16,12 +16,12 @@ namespace
 {
 constexpr int ErrorProbes = 200;
 // The local part of a series has more samples than the stored curve. Therefore its storage error is
-// (8/64)⁴ times that of the stored curve. With a negative compliance the local part exceeds the
-// range.
+// (8/64)⁴ times that of the stored curve. With a negative compliance the local deflection exceeds
+// the range.
 constexpr int LocalSamples = 64;
 constexpr double LocalDepths = 3.0;
 
-/// Whether a float represents the number with full precision.
+/// Returns whether a float represents the number with full precision.
 bool fitsFloat(double value)
 {
   using Float = std::numeric_limits<float>;
@@ -42,7 +42,8 @@ std::vector<double> depthsOf(const ResponseSampling& sampling, double range)
 }
 } // namespace
 
-/// A curve for E* = 1 as a law that can be combined in series. Its contact radius is unknown.
+/// A curve for E* = 1 as a law that can be combined in series with a compliance. It does not give a
+/// contact radius.
 class ResponseLaw::SampledLaw final : public IndentationLaw
 {
 public:
@@ -195,7 +196,7 @@ ResponseStatus ResponseLaw::sample(
   return this->withZeros(status, force, stiffness);
 }
 
-/// Writes zeros if the status is not Valid. Returns the status.
+/// Writes zeros if `status` is not Valid. Returns `status`.
 ResponseStatus ResponseLaw::withZeros(ResponseStatus status, float* force, float* stiffness) const
 {
   if (status != ResponseStatus::Valid)

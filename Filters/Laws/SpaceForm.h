@@ -12,20 +12,20 @@
 
 namespace palpate
 {
-/// A second fundamental form in space. After a rotation it can be added to the form of another
+/// A second fundamental form in space. After a rotation it can be added to the form in another
 /// tangent plane.
 struct SpaceForm
 {
   static constexpr std::size_t Square = 6; ///< index of the square of the mean curvature
   /// Index of the square of the roughness (SurfaceCurvature).
   static constexpr std::size_t Rough = 7;
-  static constexpr std::size_t Count = 8; ///< index of the number of forms in a sum
+  static constexpr std::size_t Count = 8; ///< index of the number of forms that were added
 
-  /// xx, xy, xz, yy, yz, zz, then the three numbers above.
+  /// The components xx, xy, xz, yy, yz, zz, followed by the values at Square, Rough and Count.
   std::array<double, 9> of{};
 
   SpaceForm() = default;
-  /// One form, given in the tangent frame (t², tu, u²).
+  /// Creates a single form from its components (t², tu, u²) in the tangent frame.
   SpaceForm(const Eigen::Vector3d& form, const TangentFrame& frame)
   {
     this->setMatrix(form[0] * frame.first * frame.first.transpose() +

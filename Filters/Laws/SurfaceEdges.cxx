@@ -18,17 +18,17 @@ namespace
 {
 using Eigen::Vector3d;
 
-// Largest cosine between two directions that continue each other.
+// Largest cosine between two directions that count as opposite, so that one continues the other.
 constexpr double OppositeCosine = -0.3;
 constexpr double SpacingsPerCell = 2.0; // smallest cell, in square roots of the area per point
-constexpr double LongFacet = 4.0;       // least area of a long facet, in squared contact radii
-// A side of a sharp edge has at least this fraction of the turn within two patches. Otherwise the
-// edge is a fillet or a bevel.
+constexpr double LongFacet = 4.0;       // smallest area of a long facet, in squared contact radii
+// A side of a sharp edge has at least this fraction of the angle by which the surface turns within
+// two patches. Otherwise the edge is a fillet or a bevel.
 constexpr double SharpFraction = 0.8;
-// Fraction of the turn up to a patch. If the total turn up to the next patch is smaller, that patch
-// is on the face behind the edge.
+// Fraction of the angle up to a patch. If the total angle up to the next patch is below this
+// fraction, the next patch is on the face behind the edge.
 constexpr double LeastRemainingTurn = 0.5;
-// Multiple of the smallest turn beyond a patch. A larger turn is that of another edge.
+// Multiple of the smallest angle beyond a patch. A larger angle belongs to another edge.
 constexpr double OtherEdgeRatio = 2.0;
 
 class EdgeFinder
@@ -47,7 +47,8 @@ public:
   SurfaceEdges take() { return { std::move(this->Sides), this->Cell }; }
 
 private:
-  /// The angle by which the surface turns away from one patch to another; negative in a hollow.
+  /// Returns the angle (rad) by which the surface turns away from one patch to another; negative in
+  /// a hollow.
   double turn(int one, int other) const
   {
     const FacePatch& a = this->Patches.at(one);
@@ -61,8 +62,8 @@ private:
       0.5 * this->Radius, (this->Patches.at(one).centre - this->Patches.at(other).centre).norm());
   }
 
-  /// Whether one direction continues the other, after projection along the normal. This also works
-  /// over a sharp edge.
+  /// Returns whether one direction continues the other, after projection along the normal. The
+  /// projection makes this valid also across a sharp edge.
   static bool areOpposite(const Vector3d& normal, const Vector3d& one, const Vector3d& other)
   {
     const Vector3d flat = one - one.dot(normal) * normal;
@@ -70,18 +71,18 @@ private:
     return flat.dot(beyond) < OppositeCosine * flat.norm() * beyond.norm();
   }
 
-  /// The rate, rad/mm, at which the surface turns beyond `patch`, in the direction from `from`. It
-  /// is the mean over the next patches in that direction. Beyond a long facet it is the smallest
-  /// rate, because another edge may end that facet. The face behind `from` is ignored. At a corner,
-  /// a face beyond another sharp edge is ignored too. If none of the next patches is large enough,
-  /// the rate is infinite (unknown), and no turn exceeds it.
+  /// Returns the rate, rad/mm, at which the surface turns beyond `patch`, in the direction from
+  /// `from`. It is the mean over the next patches in that direction. Beyond a long facet it is the
+  /// smallest rate, because another edge may bound that facet. The face behind `from` is ignored.
+  /// At a corner, a face beyond another sharp edge is ignored too. If none of the next patches is
+  /// large enough, the rate is infinite (unknown), and no angle exceeds it.
   double rateBeyond(int from, int patch) const
   {
     const FacePatch& here = this->Patches.at(patch);
     const FacePatch& behind = this->Patches.at(from);
     const Vector3d back = behind.centre - here.centre;
     const double turned = angleBetween(behind.normal, here.normal);
-    std::vector<NextPatch> known; // next patches in that direction with a known normal
+    std::vector<NextPatch> known; // next patches in that direction whose normal is known
     double leastTurn = Infinity;
     bool goesOn = false;
     for (const NextPatch& next : here.next)
@@ -121,8 +122,8 @@ private:
     return goesOn ? Infinity : 0.0;
   }
 
-  /// The turn of the surface between two patches, minus the turn at the larger of the rates on both
-  /// sides.
+  /// Returns the angle (rad) by which the surface turns between two patches, minus the angle that
+  /// corresponds to the larger of the rates on both sides.
   double excess(int before, int after, int beforeFrom, int afterFrom) const
   {
     const double angle = this->turn(before, after);
@@ -162,8 +163,8 @@ private:
     }
   }
 
-  /// Collects the facet sides of patches with an edge. The turn of a side must be at least half
-  /// that of the sharpest side of its patch.
+  /// Collects the facet sides of patches with an edge. The angle at a side must be at least half of
+  /// that at the sharpest side of its patch.
   void collectSides()
   {
     std::vector<double> sharpest(this->Patches.size(), 0.0);
@@ -201,7 +202,7 @@ private:
   double Radius;
   double Cell; ///< mm
   FacePatches Patches;
-  std::vector<float> Turns; ///< turn of the edge at each patch, rad; 0: no edge
+  std::vector<float> Turns; ///< angle of the edge at each patch, rad; 0 if there is no edge
   std::vector<SurfaceSide> Sides;
 };
 } // namespace

@@ -18,28 +18,30 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Factors whose results bound 95 of 100 errors; see SurfaceCurvatureTest.cxx.
-constexpr double DiscFactor = 2.0;      // factor on the residual of a disc
-constexpr double DiscNoiseFactor = 3.0; // additional factor with noise
+// With these factors the results bound 95 of 100 errors; see SurfaceCurvatureTest.cxx.
+constexpr double DiscFactor = 2.0;      // on the residual of a disc
+constexpr double DiscNoiseFactor = 3.0; // additional factor if the surface is noisy
 constexpr double DiscCurvatureFactor = 0.003;
-constexpr double LargestDiscNoise = 0.5; // with more noise an average is more accurate
-// A contact whose radius is between these limits, in distances of points, gets the form of its
-// disc.
+constexpr double LargestDiscNoise = 0.5; // with more noise an average is more accurate than a disc
+// If the ratio of the contact radius to the distance of points is between these limits, the form
+// fitted to the disc is used.
 constexpr double SmallestDiscRatio = 1.1;
 constexpr double LargestDiscRatio = 8.0;
-// Factor for an average, times 1/(1 + steps), because errors of neighbours have opposite signs.
+// Factor for an average, multiplied by 1/(1 + steps), because the errors at neighbouring points
+// have opposite signs.
 constexpr double AverageFactor = 1.3;
 // Factor on the spread, because the centre of an average is not exactly at the point.
 constexpr double SpreadFactor = 0.1;
-// Factor on the curvature, for facets and for the rotation of forms.
+// Factor on the curvature, for the error due to facets and to the rotation of forms.
 constexpr double CurvatureFactor = 0.02;
 
-// Limits for the correlation between the difference of sags and turns at a point and at its
-// neighbours. Above the first a surface counts as smooth, below the second as noisy. White noise
-// has -0.29.
+// Limits for the correlation between the difference of the curvatures by sags and by turns at a
+// point and at its neighbours. Above the first limit a surface counts as smooth, below the second
+// as noisy. White noise has a correlation of -0.29.
 constexpr double SmoothCorrelation = -0.12;
 constexpr double NoisyCorrelation = -0.25;
-constexpr double LargestDifference = 3.0; // times the median; larger differences occur at edges
+// Multiple of the median; larger differences occur at edges.
+constexpr double LargestDifference = 3.0;
 
 using Curvature = PointCurvature;
 
@@ -78,7 +80,7 @@ SurfaceForms::SurfaceForms(const TriangleSpans& surface, const float* normals)
   this->findNoise();
 }
 
-/// Makes the fits of all points, and their forms in space.
+/// Computes the fits at all points, and the corresponding forms in space.
 void SurfaceForms::fitPoints()
 {
   forRanges(this->Fits.size(),
@@ -97,8 +99,9 @@ void SurfaceForms::fitPoints()
     });
 }
 
-/// Finds the difference between each mean curvature and the mean over the neighbours. This
-/// difference contains noise and detail too fine for the mesh, but no gradient of the curvature.
+/// Computes the difference between each mean curvature and the mean over the neighbours. This
+/// difference contains noise and detail that is too fine for the mesh, but no gradient of the
+/// curvature.
 void SurfaceForms::findRoughness()
 {
   std::vector<double> rough(this->Forms.size(), 0.0);
@@ -121,7 +124,7 @@ void SurfaceForms::findRoughness()
   }
 }
 
-/// Finds the fraction of noise. Noise moves neighbouring points in opposite directions.
+/// Computes the fraction of noise. Noise moves neighbouring points in opposite directions.
 void SurfaceForms::findNoise()
 {
   std::vector<double> differences;
@@ -185,7 +188,7 @@ std::vector<Curvature> SurfaceForms::curvatures(double contactRadius) const
     return found;
   }
   std::vector<SpaceForm> forms = this->Forms;
-  this->step(others, forms); // needed for the roughness only
+  this->step(others, forms); // needed only for the roughness
   for (const std::size_t i : others)
   {
     found[i] = pointCurvature(
@@ -195,7 +198,7 @@ std::vector<Curvature> SurfaceForms::curvatures(double contactRadius) const
 }
 
 /// Sets the curvatures of each point from the form fitted to the disc under the contact. Returns
-/// the points whose disc does not have enough points.
+/// the points whose discs do not have enough points.
 std::vector<std::size_t> SurfaceForms::takeDiscs(
   double contactRadius, std::vector<Curvature>& found) const
 {
@@ -226,13 +229,13 @@ std::vector<std::size_t> SurfaceForms::takeDiscs(
   return others;
 }
 
-/// Sets the curvatures of `points` to the curvatures after `steps` steps of averaging. The last
-/// step may be partial.
+/// Sets the curvatures of `points` to the values after `steps` averaging steps. The last step may
+/// be partial.
 void SurfaceForms::takeAverages(
   double steps, const std::vector<std::size_t>& points, std::vector<Curvature>& found) const
 {
   const int whole = static_cast<int>(std::ceil(steps));
-  // The points of each step are those of the next step and their neighbours.
+  // The points needed in a step are the points of the next step and their neighbours.
   std::vector<std::vector<std::size_t>> reached{ points };
   while (static_cast<int>(reached.size()) < whole)
   {

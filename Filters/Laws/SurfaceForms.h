@@ -17,18 +17,19 @@
 namespace palpate
 {
 /**
- * The second fundamental form at each point of a surface, and its noise. The fits to the neighbours
- * are made once. Curvatures can then be computed for any number of contact radii, as explained in
- * SurfaceCurvature.
+ * The second fundamental form at each point of a surface, and its noise. The form at each point is
+ * fitted to the neighbours once. Curvatures can then be computed for any number of contact radii,
+ * as explained in SurfaceCurvature.
  *
- * Threaded; the bits do not depend on the number of threads.
+ * Threaded. The result is bit for bit the same for any number of threads.
  */
 class PALPATE_EXPORT SurfaceForms
 {
 public:
   static constexpr int MostSteps = 16;
 
-  /// `normals`: 3 floats per point, unit length. The arrays of both arguments must outlive this.
+  /// `normals` has 3 floats per point, unit length. The arrays of both arguments must outlive this
+  /// object.
   SurfaceForms(const TriangleSpans& surface, const float* normals);
 
   /// Returns the curvatures of all points for a contact of the given radius, mm. Cost: up to 5 µs
@@ -55,7 +56,7 @@ private:
   PointRings Rings;
   std::vector<PointForm> Fits;
   std::vector<SpaceForm> Forms;
-  double Spacing;     ///< pointSpacing(), mm
+  double Spacing;     ///< mean distance of points (pointSpacing()), mm
   double Noise = 0.0; ///< fraction of noise in the points, 0 to 1
 };
 } // namespace palpate

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double CosineOfPatch = 0.5; // 60°
+constexpr double CosineOfPatch = 0.5; // cosine of 60°
 
 double arcLength(const Vector3& chord, const Vector3& contactNormal, const Vector3& pointNormal)
 {
@@ -71,7 +71,7 @@ void SurfacePatch::visit(const PatchVisitor& visitor)
     visitor(point, distance, tangentAway(chord, pointNormal), pointNormal);
     if (this->Reach > 0.0 && distance > this->Reach)
     {
-      continue; // the field ends at this point
+      continue; // the point is outside the patch
     }
     const auto around = this->Mesh.trianglesAround(point);
     for (const std::int32_t* next = around[0]; next != around[1]; ++next)

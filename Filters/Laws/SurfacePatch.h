@@ -12,23 +12,24 @@
 
 namespace palpate
 {
-/// Arguments: point index; distance from the contact along the surface, mm; unit tangent at the
-/// point that points away from the contact (zero at the contact itself); unit outward normal.
+/// Called with the point index; the distance from the contact along the surface, mm; the unit
+/// tangent at the point that points away from the contact (zero at the contact itself); and the
+/// unit outward normal.
 using PatchVisitor =
   std::function<void(std::int32_t, double, const Vector3& away, const Vector3& normal)>;
 
 /**
- * The patch of a surface around a contact. It contains the entered points and all points that are
- * connected to them and have a normal within 60° of the contact normal. If `reach` > 0, a point
- * must also be within that distance (mm), or next to a point within it. Entered points always
- * belong to the patch.
+ * The patch of a surface around a contact. It contains the start points that were added, and all
+ * points that are connected to them and have a normal within 60° of the contact normal. If `reach`
+ * is positive, a point must also be within that distance (mm), or next to a point within that
+ * distance. Start points always belong to the patch.
  *
  * The distance is the length of the circular arc that is tangent to the surface at the contact and
- * at the point: chord (θ/2)/sin(θ/2). θ is the angle between the contact normal and the point
- * normal, in the plane of chord and contact normal.
+ * at the point: the length of the chord times (θ/2)/sin(θ/2). θ is the angle between the contact
+ * normal and the point normal, in the plane of the chord and the contact normal.
  *
- * The mesh may be a piece of the body. Points at a seam then have the normals of the whole body.
- * They are entered if they were entered on another piece.
+ * The mesh may be a piece of the body. Points at a seam then have the normals of the whole body. A
+ * point at a seam is also a start point if the patch has reached it on another piece.
  */
 class PALPATE_EXPORT SurfacePatch
 {
@@ -38,9 +39,9 @@ public:
   void setNormal(std::int32_t point, const Vector3& normal) { this->Given[point] = normal; }
   void enter(std::int32_t point);
   bool has(std::int32_t point) const { return this->Seen[static_cast<std::size_t>(point)]; }
-  /// Whether there are entered points that have not been visited yet.
+  /// Returns whether there are start points that have not been visited yet.
   bool isPending() const noexcept { return !this->Front.empty(); }
-  /// Visits the entered points and all points connected to them, each point once.
+  /// Visits the start points and all points connected to them, each point once.
   void visit(const PatchVisitor& visitor);
 
 private:

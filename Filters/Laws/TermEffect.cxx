@@ -19,9 +19,10 @@ namespace
 constexpr std::size_t MostPoints = 400;
 // Square roots of the compared depths, as fractions of the range.
 constexpr std::array<double, 4> Roots = { 0.25, 0.5, 0.75, 1.0 };
-constexpr int UnstoredSamples = 8; // number of samples of laws that are not stored
+// Number of samples of laws that are not stored with the response.
+constexpr int UnstoredSamples = 8;
 
-/// A model of the body that can compute forces.
+/// Computes the forces of one model of the body.
 class ModelledForce
 {
 public:
@@ -54,8 +55,8 @@ private:
   PreparedLaw Prepared;
 };
 
-/// Returns the value of `change(i)` that a fraction `share` of the points does not exceed. Negative
-/// changes are ignored.
+/// Returns the smallest value that `change(i)` does not exceed at a fraction `share` of the points.
+/// Negative changes are ignored.
 template <class Change>
 double quantile(const PressedBody& body, const Change& change)
 {

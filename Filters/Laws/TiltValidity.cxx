@@ -48,7 +48,7 @@ void limitByTilts(const AxisymmetricTool& tool, const ContactSpots& spots,
         kept = std::max(kept, static_cast<float>(error));
       }
     }
-    // At first contact the contact radius is much less than the thickness of the layer.
+    // At first contact the contact radius is much smaller than the thickness of the layer.
     trusted.add(0, 0.0);
     const auto depth = static_cast<float>(trusted.depth());
     if (depth < trust.validity[i])

@@ -12,11 +12,11 @@
 namespace palpate
 {
 /// The curves of a response with tilt data at each point, for use offline. The servo tick uses
-/// ContactTilt instead. Safe to use from any number of threads.
+/// ContactTilt instead. Can be used from any number of threads.
 class TiltedCurves
 {
 public:
-  /// `arrays` must outlive this.
+  /// `arrays` must outlive this object.
   explicit TiltedCurves(const ResponseArrays& arrays)
     : Views(arrays.tilt)
     , Curves(arrays)
@@ -31,9 +31,9 @@ public:
   struct Felt
   {
     double force = 0.0;  ///< N
-    double torque = 0.0; ///< M, about the tip, N mm
+    double torque = 0.0; ///< M, torque about the tip, N mm
   };
-  /// Evaluates at a depth > 0 of the tool's deepest point (mm) and a tilt (rad).
+  /// Evaluates force and torque at a depth > 0 of the tool's deepest point (mm) and a tilt (rad).
   Felt at(std::size_t point, double depth, double angle) const
   {
     std::array<double, TiltTerms::MostLaws> weights{ 1.0 };

@@ -7,13 +7,13 @@
 
 namespace palpate
 {
-/// The largest depth to which the error of a curve is within a tolerance. The search begins at the
-/// deepest sample. The samples are at even √δ. Between samples the error is assumed to be linear in
-/// √δ, like the strain of a sphere.
+/// Finds the largest depth up to which the error of a curve is within a tolerance. The search
+/// begins at the deepest sample. The samples are evenly spaced in √δ. Between samples the error is
+/// assumed to be linear in √δ, like the strain under a sphere.
 class TrustedDepth
 {
 public:
-  /// `range`: depth of the last of `samples` samples, mm.
+  /// `range` is the depth of the last of `samples` samples, mm.
   TrustedDepth(double range, std::size_t samples, double tolerance)
     : Range(range)
     , Samples(static_cast<double>(samples))
@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /// Adds the error at sample k. Call it for k = n … 1, and finally for first contact, k = 0.
+  /// Adds the error at sample k. To be called for k = n … 1, and finally for first contact, k = 0.
   /// Returns true as soon as the depth is known.
   bool add(std::size_t k, double error)
   {

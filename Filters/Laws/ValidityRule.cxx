@@ -11,13 +11,14 @@ namespace palpate
 {
 namespace
 {
-// a/R at which validity ends: about 8 % strain (Tabor's 0.2 a/R)
+// Ratio of contact radius to tool radius, a/R, at which validity ends. It corresponds to about 8 %
+// strain (Tabor's 0.2 a/R).
 constexpr double StrainRatio = 0.4;
-// Angle by which the body's normal may turn over the contact radius, rad.
+// Largest angle by which the body's normal may change over the contact radius, rad.
 constexpr double NormalTurn = 0.2;
-// Largest compression of a layer relative to its thickness. At this compression, finite elements
-// with finite strain (Data/Studies/calculix, nu = 0.45) are 4 % above the linear layer; at 0.4 they
-// are 10 % above it.
+// Largest compression of a layer relative to its thickness. At this compression, the force from
+// finite elements with finite strain (Data/Studies/calculix, nu = 0.45) is 4 % above that of the
+// linear layer; at 0.4 it is 10 % above.
 constexpr double Compression = 0.2;
 } // namespace
 

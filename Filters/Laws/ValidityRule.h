@@ -13,7 +13,7 @@ class ResponseLaw;
 
 /**
  * The validity of a law at a point: the depth at which its first assumption fails
- * (vtkToolContactResponse.h, Validity). Safe to use from any number of threads.
+ * (vtkToolContactResponse.h, Validity). Can be used from any number of threads.
  */
 class PALPATE_EXPORT ValidityRule
 {
@@ -25,13 +25,13 @@ public:
     ResponseLimit limit; ///< the assumption that fails at that depth; None at the range
   };
 
-  /// Tool and law must outlive this. `range` (mm) is the range of the law, `bodyWidth` (mm) the
-  /// width of the whole body.
+  /// `range` (mm) is the range of the law, `bodyWidth` (mm) the width of the whole body. Tool and
+  /// law must outlive this object.
   ValidityRule(
     const AxisymmetricTool& tool, const ResponseLaw& law, double range, double bodyWidth);
 
-  /// `curvature` (1/mm): the angle by which the body's normal turns per length of the surface at
-  /// the point.
+  /// Returns the validity at a spot. `curvature` (1/mm) is the angle by which the body's normal
+  /// changes per length of the surface at the point.
   Answer at(const ContactSpot& spot, double curvature) const;
 
 private:

@@ -28,7 +28,7 @@ DataError::DataError(
       open.push_back(predictedForceError(*site, tool, kernel, depth));
       const double force = bodyResponse(site->body, tool, kernel, depth).force;
       forces.push_back(std::log(force > 0.0 ? force
-                                            // Without a force the relative error is very large.
+                                            // Without a force the relative error becomes large.
                                             : std::numeric_limits<double>::min()));
     }
     this->Open.push_back(std::move(open));

@@ -24,7 +24,7 @@ namespace
 {
 constexpr auto OutOfReach = static_cast<unsigned char>(ResponseStatus::OutOfReach);
 constexpr auto DataEndLimit = static_cast<unsigned char>(ResponseLimit::DataEnd);
-constexpr double PlaceholderModulus = 1.0; // MPa, for points without a response
+constexpr double PlaceholderModulus = 1.0; // Young's modulus, MPa, for points without a response
 
 vtkSmartPointer<vtkDoubleArray> addPointArray(vtkPolyData* body, const char* name)
 {
@@ -52,7 +52,7 @@ void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
 
   std::vector<double> moduli;
   std::vector<double> compliances;
-  std::vector<double> slenderness; // 1/h, 1/mm; 0 for a half-space
+  std::vector<double> slenderness; // 1/h, 1/mm; 0 on a half-space
   for (const IdentifiedBody* site : measurement.Used)
   {
     moduli.push_back(site->body.reducedModulus);

@@ -16,17 +16,18 @@ namespace MeasuredMaterial
 constexpr const char* ModulusArray = "IdentifiedModulus";
 constexpr const char* ComplianceArray = "IdentifiedCompliance";
 constexpr const char* ThicknessArray = "IdentifiedThickness";
-constexpr const char* YoungArray = "palpate:YoungsModulus"; ///< removed from the output at the end
+/// Removed from the output before the filter ends.
+constexpr const char* YoungArray = "palpate:YoungsModulus";
 } // namespace MeasuredMaterial
 
-/// Makes `spread` a copy of the body with the material at its points. The material is E*, C_g and
-/// 1/h of the sites that are not refused, interpolated within `reach` (mm).
+/// Makes `spread` a copy of the body with the material at its points: E*, C_g and 1/h of the sites
+/// that are not refused, interpolated within `reach` (mm).
 void spreadMaterial(vtkPolyData* body, double poissonRatio, double reach,
   SiteMeasurement& measurement, vtkPolyData* spread);
 
-/// Removes the response `name` at points beyond the reach of all sites. At the other points it
-/// limits the validity to the end of the data (DataEnd.h). It adds a description of the measured
-/// data to the field arrays. `range` is the range of the response, mm.
+/// Removes the response `name` at points beyond the reach of all sites. At the other points the
+/// validity is limited to the end of the data (DataEnd.h). Adds a description of the measured data
+/// to the field arrays. `range` is the range of the response, mm.
 void limitToData(
   const SiteMeasurement& measurement, const std::string& name, double range, vtkPolyData* output);
 } // namespace palpate

@@ -31,7 +31,7 @@ void attachMeasuredRelaxation(
   {
     return;
   }
-  // Strength of each branch at each site.
+  // The strength of each branch at each site.
   std::vector<std::vector<double>> strengths(common.mean.count);
   for (std::size_t k = 0; k < strengths.size(); ++k)
   {

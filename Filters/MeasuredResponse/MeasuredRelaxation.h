@@ -10,15 +10,15 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches the relaxation of the body to the response `name`. The times are common to the used
-/// sites (CommonRelaxation.h). The strengths are the mean over the sites. If there are several
-/// sites, the strengths at each point, interpolated between the sites, are attached too. Attaches
-/// nothing if no site relaxes.
+/// Attaches the relaxation of the body to the response `name`. The relaxation times are common to
+/// the sites used (CommonRelaxation.h). The strengths are the mean over these sites. If there are
+/// several sites, the strengths at each point, interpolated between the sites, are also attached.
+/// Attaches nothing if no site relaxes.
 void attachMeasuredRelaxation(
   const SiteMeasurement& measurement, const std::string& name, vtkPolyData* output);
 
-/// Returns the relaxation in words, as in the field array Model: strength and time of each branch,
-/// and the times that the test resolves. Returns "" if no site relaxes.
+/// Describes the relaxation in words, as in the field array Model: strength and time of each
+/// branch, and the times that the test resolves. Returns "" if no site relaxes.
 std::string siteRelaxationInWords(const SiteMeasurement& measurement);
 } // namespace palpate
 

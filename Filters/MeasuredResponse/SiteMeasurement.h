@@ -15,7 +15,7 @@
 namespace palpate
 {
 /// The state of vtkMeasuredContactResponse after its files are read and before its response is
-/// made.
+/// computed.
 struct SiteMeasurement
 {
   std::vector<MeasuredCurves> Files;
@@ -23,7 +23,7 @@ struct SiteMeasurement
   std::vector<SiteAnchor> Anchors; ///< projections of the sites on the mesh
   std::unique_ptr<BodyIdentification> Identification;
   std::unique_ptr<BodyMesh> Mesh;
-  std::unique_ptr<SiteSpread> Spread; ///< interpolation between the used sites
+  std::unique_ptr<SiteSpread> Spread; ///< interpolation between the sites used
   std::vector<const IdentifiedBody*> Used;
 
   std::vector<double> collect(double IdentifiedBody::*member) const
@@ -36,14 +36,14 @@ struct SiteMeasurement
     return values;
   }
 
-  /// Projects the sites on the mesh, and refuses sites that are farther than `largestDistance` (mm)
-  /// from the mesh. Returns the root mean square of the distances.
+  /// Projects the sites on the mesh, and refuses sites whose distance from the mesh exceeds
+  /// `largestDistance` (mm). Returns the root mean square of the distances, mm.
   double place(double largestDistance);
 
   /// Returns the number of refused sites. `reasons` receives their names and the reasons.
   std::size_t countRefused(std::string& reasons) const;
 
-  /// Returns the identified bodies and their data in words, for the field array Model.
+  /// Describes the identified bodies and their data in words, for the field array Model.
   std::string describe() const;
   int modelParts() const; ///< sum of ModelPart
 };

@@ -23,7 +23,8 @@ namespace palpate
 namespace
 {
 constexpr double RigidTolerance = 1e-3;
-// Largest distance from a line, relative to the length of the line of points.
+// Largest distance of points on a line from this line, relative to the extent of the points along
+// the line.
 constexpr double InLine = 1e-3;
 
 const std::vector<std::string_view> PairColumns = { "from_x_mm", "from_y_mm", "from_z_mm",
@@ -91,7 +92,7 @@ std::string fromMatrix(const std::vector<double>& numbers, SiteRegistration& reg
   return {};
 }
 
-/// Whether all points are on one line or coincide.
+/// Returns whether all points are on one line or coincide.
 bool areInLine(vtkPoints* points)
 {
   Eigen::Matrix3Xd x(3, points->GetNumberOfPoints());

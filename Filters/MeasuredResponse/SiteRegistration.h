@@ -26,7 +26,7 @@ struct SiteRegistration
  *   with at least three points that are not in line. The motion is that of a rigid
  *   vtkLandmarkTransform (Horn 1987).
  *
- * Returns an error that names file and line, or "".
+ * Returns an error message with file and line, or "".
  */
 std::string readRegistration(const std::string& path, SiteRegistration& registration);
 } // namespace palpate

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of arc to chord in a patch whose normal turns by at most 60°: (π/6)/sin(π/6).
+/// Largest ratio of arc to chord in a patch whose normals differ by at most 60°: (π/6)/sin(π/6).
 constexpr double ArcPerChord = 1.0472;
 } // namespace
 
@@ -45,7 +45,7 @@ SiteSpread::SiteSpread(const BodyMesh& mesh, const std::vector<SiteAnchor>& site
         }
       });
   }
-  // A stable sort keeps the order of the sites of each point.
+  // A stable sort keeps the sites of each point in their order.
   std::stable_sort(
     shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.point < b.point; });
 

@@ -19,14 +19,14 @@ struct SiteAnchor
 };
 
 /**
- * Interpolates values that are known at sites to the points of a body.
+ * Interpolates values from sites to the points of a body.
  *
  * A site contributes to a point under three conditions: the point is within `reach` (mm, straight
- * distance), it is connected to the site over the surface within about that distance, and its
+ * distance); it is connected to the site over the surface within about that distance; and its
  * normal is within 60° of the normal at the site (visitSurfacePatch). Therefore no value is
  * transferred through a thin lobe. The weights of a point's sites are those of vtkShepardKernel,
- * 1/d², multiplied by (1 - d/reach)². Therefore the result is continuous at the end of a site's
- * reach (Franke and Little 1980).
+ * 1/d², multiplied by (1 - d/reach)², so that the result is continuous at the end of a site's reach
+ * (Franke and Little 1980).
  */
 class SiteSpread
 {
@@ -40,8 +40,8 @@ public:
       this->Start[static_cast<std::size_t>(point) + 1];
   }
 
-  /// Returns the value at a point. `values` has one value per site. The point must be within the
-  /// reach of a site.
+  /// Returns the interpolated value at a point. `values` has one value per site. The point must be
+  /// within the reach of a site.
   double at(std::int32_t point, const std::vector<double>& values) const;
   /// Returns the weighted root mean square deviation of the sites' values from at(); 0 at a site.
   double deviationAt(std::int32_t point, const std::vector<double>& values) const;

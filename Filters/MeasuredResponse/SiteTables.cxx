@@ -56,8 +56,8 @@ void addEstimate(vtkTable* table, const std::string& name, const std::string& un
     table, name + " to" + unit, sites, [&](const PlacedSite& s) { return value(s).upper; });
 }
 
-/// Returns the value of a quantity that is largest in magnitude over the curves of a site; NaN if
-/// no curve has the quantity.
+/// Returns the value with the largest magnitude over the curves of a site; NaN if no curve has a
+/// value.
 template <class Value>
 double most(const PlacedSite& site, const Value& value)
 {
@@ -91,7 +91,7 @@ struct Reading
   double time;
 };
 
-/// Appends all readings of a body that relaxes, in the order of measurement.
+/// Appends all readings of a site that relaxes, in the order of measurement.
 void appendHistory(const PlacedSite& site, std::size_t index,
   const std::shared_ptr<const LayerKernel>& kernel, std::vector<Reading>& readings)
 {
@@ -150,7 +150,7 @@ void appendReadings(const PlacedSite& site, std::size_t index,
     }
   }
 }
-/// Adds the columns of relaxation, if at least one site relaxes.
+/// Adds the columns for relaxation, if at least one site relaxes.
 void addRelaxation(vtkTable* table, const std::vector<PlacedSite>& sites)
 {
   std::size_t branches = 0;

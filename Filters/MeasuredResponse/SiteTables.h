@@ -20,20 +20,20 @@ struct PlacedSite
   double distance = 0.0;                              ///< distance from the surface, mm
 };
 
-/// Makes a table with one row per site: the identified body, or the reason of a refusal
+/// Fills a table with one row per site: the identified body, or the reason of the refusal
 /// (vtkMeasuredContactResponse.h, port 1).
 void tabulateSites(const std::vector<PlacedSite>& sites, vtkTable* table);
 
-/// Makes a table with one row per reading of a loading, with depths from first contact: the
-/// measured force, the force made monotone, and the force of the identified body. For a body that
-/// relaxes there is one row for every reading, in the order of time (vtkMeasuredContactResponse.h,
+/// Fills a table with one row per reading of a loading, with depths from first contact: the
+/// measured force, the force made monotone, and the force of the identified body. For a site that
+/// relaxes, there is one row for every reading, in the order of time (vtkMeasuredContactResponse.h,
 /// port 2).
 void tabulateCurves(const std::vector<PlacedSite>& sites,
   const std::shared_ptr<const LayerKernel>& kernel, vtkTable* table);
 
 /// Reads the readings of one tool from a table with the columns of a file of curves (CurvesFile.h),
 /// for example from a reader of .csv files. Other columns are ignored. `name` replaces the file
-/// name in errors. Returns a fault that names the row, or "".
+/// name in error messages. Returns a fault with the row, or "".
 std::string curvesFromTable(
   vtkTable* table, const std::string& name, const std::string& tool, MeasuredCurves& curves);
 } // namespace palpate

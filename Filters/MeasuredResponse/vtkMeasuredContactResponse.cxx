@@ -36,7 +36,8 @@
 
 namespace
 {
-constexpr double IdentifiedShare = 0.5; // fraction of the progress for the identification
+// Fraction of the progress that is reported when all sites are identified.
+constexpr double IdentifiedShare = 0.5;
 } // namespace
 
 vtkStandardNewMacro(vtkMeasuredContactResponse);
@@ -125,7 +126,7 @@ int vtkMeasuredContactResponse::RequestData(
   this->SiteResidual = measurement.place(this->MaximumSiteDistance);
   if (!this->IdentifySites(measurement))
   {
-    return 1; // aborted
+    return 1; // the filter was aborted
   }
   fault = palpate::prefixed("No site can be used: ", this->JudgeSites(measurement));
   if (!fault.empty())
@@ -136,7 +137,7 @@ int vtkMeasuredContactResponse::RequestData(
   vtkNew<vtkPolyData> spread;
   palpate::spreadMaterial(body, this->PoissonRatio, this->Reach, measurement, spread);
   fault = this->RespondTo(measurement, spread, output);
-  if (fault.empty() && output->GetNumberOfPoints() > 0) // if not aborted
+  if (fault.empty() && output->GetNumberOfPoints() > 0) // not empty unless the filter was aborted
   {
     palpate::limitToData(measurement, this->ResponseName, this->MaximumDeflection, output);
     palpate::attachMeasuredRelaxation(measurement, this->ResponseName, output);
@@ -237,7 +238,7 @@ std::string vtkMeasuredContactResponse::ReadSites(
   options.largestStrain = this->MaximumStrain;
   options.largestMisfit = this->MaximumMisfit;
   options.largestUncertainty = this->MaximumUncertainty;
-  // CheckProperties has already checked the relaxation
+  // CheckProperties() has already checked the relaxation.
   this->Relaxations.fillSeries(options.relaxation);
   measurement.Identification = std::make_unique<palpate::BodyIdentification>(options);
   return fault;

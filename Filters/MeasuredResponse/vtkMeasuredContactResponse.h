@@ -5,20 +5,21 @@
  *
  * Input: a body as for vtkToolContactResponse, and files of force-deflection curves taken at sites
  * of the body. Each file has the curves of one tool (`palpate/CurvesFile.h`; measured, or computed
- * by any finite-element code). Sites with the same name in several files are one site that was
- * measured with several tools. Curves may also come as tables with the columns of such files, on
- * the optional and repeatable input port 1. A reader of .csv files omits the comments in the head
- * of a file. Therefore the tool of a table is MeasuringTool, and its curves count as measured.
+ * by any finite-element code). Sites with the same name in several files are treated as one site
+ * that was measured with several tools. Curves may also be given as tables with the columns of such
+ * files, on the optional and repeatable input port 1. A table lacks the comments at the head of a
+ * file, because a reader of .csv files omits them. Therefore the tool of a table is MeasuringTool,
+ * and its curves count as measured.
  *
  * For each site the filter separates the loading branches, measures hysteresis and the effect of
- * speed, and finds the depth of first contact and the force before contact. Then it identifies the
- * simplest elastic body that explains the readings within their noise: a half-space (E*), a
+ * speed, and determines the depth of first contact and the force before contact. Then it identifies
+ * the simplest elastic body that explains the readings within their noise: a half-space (E*), a
  * half-space in series with a global compliance (E*, C_g), or a layer on a rigid base (E*, h). See
  * CurvePreparation.h and BodyIdentification.h.
  *
  * A relaxing body is identified if the curves of a site have times, and if a loop, a hold or an
  * effect of speed exceeds the limits. E* and the other parameters then describe the slow response.
- * The filter adds strengths and times of up to four branches. It identifies them from loading, hold
+ * In addition, the filter identifies strengths and times of up to four branches from loading, hold
  * and unloading together (RelaxingIdentification.h).
  *
  * A site is refused, with the reason, if
@@ -28,7 +29,7 @@
  * - its curves do not determine the parameters separately, such as those of a flat punch alone, or
  * - the signs or units of its curves are impossible (CurveSigns.h).
  *
- * A warning names the refused sites. It is an error if all sites are refused.
+ * A warning lists the refused sites. It is an error if all sites are refused.
  *
  * The response of any Tool is computed from the identified bodies. E*, C_g and 1/h are interpolated
  * over the surface (vtkShepardKernel) within Reach mm of a site, if the surface is connected to the
@@ -37,15 +38,16 @@
  *
  * Output port 0: the body with the response arrays of vtkToolContactResponse, and
  * - point data `IdentifiedModulus` (E* in MPa, 0 out of reach), `IdentifiedCompliance` (mm/N), and
- * `IdentifiedThickness` (mm, 0 for a half-space), double;
- * - `Status` 4 OutOfReach at points that no site reaches: they have no response;
+ *   `IdentifiedThickness` (mm, 0 for a half-space), double;
+ * - `Status` 4 OutOfReach at points that are out of reach of all sites: these points have no
+ *   response;
  * - `Error` and `Validity` as in vtkToolContactResponse. The error at each sample includes the
  *   uncertainty at the sites (95 % intervals of the identified body, for this tool) and the
- *   differences between the sites around the point. It also includes the difference between the
- *   effect of curvature and edges and their effect in the readings;
- * - `Limit` 6, data: noise and the differences of sites are the largest part of the error. It is
- *   also set if beyond Validity the force or the contact radius of the tool (see DataEnd.h) exceeds
- *   that of every tool in the measurement;
+ *   differences between the sites around the point. For curvature and edges, it includes the
+ *   difference between their effect on this tool and their effect in the readings;
+ * - `Limit` 6 (data) if noise and the differences between sites are the largest part of the error.
+ *   It is also set if, beyond Validity, the force or the contact radius of the tool (see DataEnd.h)
+ *   exceeds that of every tool in the measurement;
  * - `RelaxationStrength` and `RelaxationTime` (field data), if a site relaxes. The curves are then
  *   the slow response. The strengths are the mean over the sites, at times that are common to the
  *   sites. If there are several sites, the point data `LocalRelaxation` has the strengths of the
@@ -138,7 +140,7 @@ public:
   ///@{
   /**
    * A file with the transformation from the instrument's frame to the body's frame: a rigid 4×4
-   * matrix or pairs of points (SiteRegistration.h). Default: empty; both frames are then the same.
+   * matrix or pairs of points (SiteRegistration.h). Default: empty; then both frames are the same.
    */
   vtkSetMacro(RegistrationFile, std::string);
   vtkGetMacro(RegistrationFile, std::string);
@@ -190,7 +192,7 @@ public:
   ///@{
   /**
    * Largest fraction of the loading energy that an elastic body may lose on unloading. Default 0.2.
-   * With a smaller value, weaker relaxation is identified.
+   * With a smaller value, weaker relaxation is also identified.
    */
   vtkSetMacro(MaximumHysteresis, double);
   vtkGetMacro(MaximumHysteresis, double);
@@ -198,8 +200,9 @@ public:
 
   ///@{
   /**
-   * Limit for an elastic body: the largest relative difference in energy between a fast and a slow
-   * loading, and the largest fraction of the force that a hold may lose. Default 0.1.
+   * Limit for an elastic body. It applies to the largest relative difference in energy between a
+   * fast and a slow loading, and to the largest fraction by which the force may decrease during a
+   * hold. Default 0.1.
    */
   vtkSetMacro(MaximumRateEffect, double);
   vtkGetMacro(MaximumRateEffect, double);

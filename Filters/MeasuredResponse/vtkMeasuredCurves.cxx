@@ -41,7 +41,7 @@ std::vector<Curve> collect(vtkTable* readings)
     const std::string tool = readings->GetValueByName(row, "Tool").ToString();
     const auto same = [&](const Curve& curve) { return curve.site == site && curve.tool == tool; };
     auto found = curves.end();
-    if (!curves.empty() && same(curves.back())) // nearly always
+    if (!curves.empty() && same(curves.back())) // true for nearly all rows
     {
       found = curves.end() - 1;
     }

@@ -8,13 +8,13 @@
 
 namespace palpate
 {
-/// The description of an error, in words.
+/// An error message.
 struct Fault
 {
   std::string text;
 };
 
-/// A value, or the reason why there is none.
+/// Either a value, or the reason why there is no value.
 template <class T>
 class [[nodiscard]] Checked
 {
@@ -33,7 +33,7 @@ public:
   const T& operator*() const { return std::get<0>(this->Content); }
   T* operator->() { return &std::get<0>(this->Content); }
   const T* operator->() const { return &std::get<0>(this->Content); }
-  /// "" if there is a value.
+  /// Returns the reason why there is no value; "" if there is a value.
   std::string fault() const { return *this ? std::string() : std::get<1>(this->Content).text; }
 
 private:
@@ -54,7 +54,7 @@ std::string firstFault(const Steps&... steps)
   return fault;
 }
 
-/// Returns the fault with `words` before it; "" if there is no fault.
+/// Returns the fault preceded by `words`; "" if there is no fault.
 inline std::string prefixed(const char* words, const std::string& fault)
 {
   if (fault.empty())

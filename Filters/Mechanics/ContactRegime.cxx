@@ -14,8 +14,8 @@ double regimeIndex(
   {
     return nan;
   }
-  // Newton's method on F(x) = force. F is convex. Therefore x decreases after the first step. A
-  // step that does not decrease x has reached the rounding error.
+  // Newton's method on F(x) = force. F is convex, so that x decreases in every step after the
+  // first. A step that does not decrease x has reached the rounding error.
   double x = deflection;
   for (int iteration = 0; iteration < 100; ++iteration)
   {
@@ -32,7 +32,7 @@ double regimeIndex(
 
 RegimeVerdict regimeVerdict(double sensitivity)
 {
-  // F ∝ size^S. Limits: 2^S - 1 > 10 %, and 4^S - 1 < 5 %.
+  // With F ∝ size^S, the limits are 2^S - 1 > 10 % and 4^S - 1 < 5 %.
   static const double felt = std::log(1.1) / std::log(2.0);
   static const double unfelt = std::log(1.05) / std::log(4.0);
   const double s = std::abs(sensitivity);

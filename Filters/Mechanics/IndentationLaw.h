@@ -15,11 +15,11 @@ struct IndentationPoint
 };
 
 /**
- * The force of one tool that is pressed to a depth δ into one body, for any modulus of that body: F
+ * The force of one tool that is pressed to a depth δ into one body, for any modulus of the body. F
  * and dF/dδ are proportional to E* = E/(1-ν²).
  *
  * F(δ) is convex and increases from 0. The results are 0 for δ <= 0, and NaN if δ is NaN or beyond
- * the end of the law. Units mm, N, MPa. Immutable and safe to call from any number of threads.
+ * the end of the law. Units: mm, N, MPa. Immutable; can be called from any number of threads.
  */
 class PALPATE_EXPORT IndentationLaw
 {

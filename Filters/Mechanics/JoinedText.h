@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Joins the parts to one text. Each part is formatted as by a stream.
+/// Joins the parts into one text. Each part is formatted as by operator<< of a stream.
 template <class... Parts>
 std::string joined(const Parts&... parts)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Marks the classes and functions that the shared libraries of the kernels export. All others are
+ * Marks the classes and functions that Palpate's shared libraries export. All other symbols are
  * hidden.
  *
  * Rule: in an installed header, mark each function and each class that is defined in a source file.

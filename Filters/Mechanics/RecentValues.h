@@ -12,9 +12,9 @@
 
 namespace palpate
 {
-/// A cache of results that take long to compute. A result is found by its complete input. The cache
-/// keeps the most recently used results, up to a number and a total of bytes. Thread-safe. Keys are
-/// compared one by one, which is suitable for tens of values.
+/// A cache of results that take long to compute. A result is found by its complete input, the key.
+/// The cache keeps the most recently used results, up to a maximum number and a maximum total of
+/// bytes. Thread-safe. Keys are compared one by one, which is suitable for some tens of values.
 template <class Key, class Value>
 class RecentValues
 {
@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /// The value of a key; null if there is none.
+  /// Returns the value of a key; null if there is none.
   std::shared_ptr<const Value> find(const Key& key)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -80,7 +80,7 @@ private:
   std::size_t MostValues;
   std::size_t MostBytes;
   std::mutex Mutex;
-  std::list<Entry> All; ///< in the order of last use, the most recent first
+  std::list<Entry> All; ///< entries in the order of last use, the most recent first
 };
 } // namespace palpate
 

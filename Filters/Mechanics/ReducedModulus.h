@@ -7,20 +7,20 @@
 
 namespace palpate
 {
-/// Whether E is a usable Young's modulus: finite and positive (MPa).
+/// Returns whether E is a valid Young's modulus: finite and positive (MPa).
 inline bool isYoungsModulus(double youngsModulus)
 {
   return std::isfinite(youngsModulus) && youngsModulus > 0.0;
 }
 
-/// Whether nu is a Poisson's ratio for which the half-space laws are valid: 0 <= nu <= 0.5.
+/// Returns whether nu is a Poisson's ratio for which the half-space laws are valid: 0 <= nu <= 0.5.
 inline bool isPoissonsRatio(double poissonRatio)
 {
   return poissonRatio >= 0.0 && poissonRatio <= 0.5;
 }
 
-/// E* = E / (1 - nu^2), in the unit of E (MPa), for a rigid tool. NaN if E or nu is outside its
-/// range.
+/// Returns E* = E / (1 - nu^2) for a rigid tool, in the unit of E (MPa). NaN if E or nu is outside
+/// its range.
 inline double reducedModulus(double youngsModulus, double poissonRatio)
 {
   if (!isYoungsModulus(youngsModulus) || !isPoissonsRatio(poissonRatio))

@@ -10,8 +10,9 @@ namespace palpate
 {
 namespace
 {
-// Limits relative to the deflection. `Overshoot`: the smallest step in the wrong direction that is
-// more than rounding. `Rounding`: the size of the last step of an iteration that has overshot.
+// Limits relative to the deflection. `Overshoot` is the smallest step in the wrong direction that
+// exceeds the rounding error. `Rounding` is the size of the last step of an iteration that has
+// overshot.
 constexpr double Overshoot = 1e-12;
 constexpr double Rounding = 4e-15;
 } // namespace
@@ -30,8 +31,8 @@ SeriesPoint seriesResponse(
     return point;
   }
   // Newton's method on x + C F(x) = δ, written so that no terms cancel (K x >= F). If F is convex,
-  // the tangents that start at x = δ never overshoot. A step that makes no progress has then
-  // reached the rounding error and is the last step. If the tangents overshoot, as for a flat end
+  // the iteration that starts at x = δ never overshoots. A step that makes no progress has then
+  // reached the rounding error and is the last step. If the iteration overshoots, as for a flat end
   // at finite strain, the root is kept between two bounds.
   double x = deflection;
   double low = 0.0;

@@ -13,12 +13,12 @@ struct SeriesPoint
   double force = 0.0;
   double stiffness = 0.0;
   double localDeflection = 0.0;
-  /// false: no stable point exists, because a negative compliance has folded the curve.
+  /// False if no stable point exists, because a negative compliance has folded the curve.
   bool stable = true;
 };
 
 /**
- * Local and global deformation in series: δ = δ_local(F; tool) + C F.
+ * Computes local and global deformation in series: δ = δ_local(F; tool) + C F.
  *
  * The global deformation is C F. The structural compliance C (mm/N) does not depend on the tool
  * (St. Venant, Castigliano). The law of the tool gives the local deformation. A negative C (a rigid

@@ -13,17 +13,17 @@
 
 namespace palpate
 {
-/// A function that receives the completed fraction; it returns false to stop the work.
+/// Receives the completed fraction, 0 to 1. Returns false to stop the work.
 using WorkObserver = std::function<bool(double)>;
 
 /**
  * Calls work(i) once for each i < count, on threadCount() threads. Each free thread takes the next
- * index. It is intended for long items; forRanges() is for short ones. The result of an item must
- * not depend on the thread. Each thread has a copy of `work`, with separate buffers.
+ * index. Intended for items that take long; for short items use forRanges(). The result of an item
+ * must not depend on the thread. Each thread has its own copy of `work`, with separate buffers.
  *
- * `observer` (may be empty) is called only by the calling thread, between its items and at the end.
- * Returns false if the observer stopped the work; items that had begun are completed. `work` must
- * not throw.
+ * `observer` may be empty. It is called only by the calling thread, between its items and at the
+ * end. Returns false if the observer stopped the work; items that had begun are completed. `work`
+ * must not throw.
  */
 template <class Work>
 bool shareWork(std::size_t count, const Work& work, const WorkObserver& observer = {})

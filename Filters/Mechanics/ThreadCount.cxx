@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t Most = 1024; // a larger number is assumed to be a typing error
 
-thread_local std::size_t Limit = 0; // 0: no limit
+thread_local std::size_t Limit = 0; // 0 if there is no limit
 
 /// Returns the number in PALPATE_THREADS; 0 if it is not set, or is not a positive number.
 std::size_t environmentCount() noexcept

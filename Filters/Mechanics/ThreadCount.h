@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * The number of threads for loops of the kernels: construction of bodies, finite elements,
+ * The number of threads for loops outside the servo tick: construction of bodies, finite elements,
  * reduction. The servo tick uses no additional threads. No result depends on the number of threads.
  *
- * Default: one thread per core. The environment variable PALPATE_THREADS sets another number; it is
- * read once. During a ThreadLimit the number is that of the limit, but at most PALPATE_THREADS if
+ * The default is one thread per core. The environment variable PALPATE_THREADS sets another number;
+ * it is read once. While a ThreadLimit exists, its number applies, but at most PALPATE_THREADS if
  * that variable is set.
  */
 #ifndef palpate_ThreadCount_h
@@ -16,7 +16,7 @@
 
 namespace palpate
 {
-/// The number of threads for loops that the calling thread starts; at least 1.
+/// Returns the number of threads for loops that the calling thread starts; at least 1.
 PALPATE_EXPORT std::size_t threadCount() noexcept;
 
 /// During the lifetime of this object, loops started by the same thread use `count` threads. The

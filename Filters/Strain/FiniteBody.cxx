@@ -16,8 +16,8 @@ namespace
 {
 using Dual = SecondOrder<5>;
 
-/// Shape functions of the nine nodes at a Gauss point of an element, and the matrix B in the
-/// displacement gradient H = B u.
+/// Values at a Gauss point of an element: the matrix B of the displacement gradient H = B u, the
+/// linear functions of the pressure, and the weight.
 struct ElementPoint
 {
   Eigen::Matrix<double, 5, 18> b = Eigen::Matrix<double, 5, 18>::Zero();
@@ -252,7 +252,7 @@ void FiniteBody::linearize(const Vector& u, double depth, Vector& gradient)
   }
 }
 
-/// Adds the penalty of a surface point inside the tool to the gradient.
+/// Adds the gradient of the penalty of a surface point that is inside the tool.
 void FiniteBody::addContact(std::size_t p, Vector& gradient)
 {
   const SurfacePoint& point = this->Surface[p];
@@ -323,8 +323,8 @@ FinitePoint FiniteBody::evaluate(const Vector& u, double depth) const
     if (gap.value < 0.0)
     {
       found.force += this->Penalty * point.weight * gap.value * gap.byDepth;
-      // Adds the energy of the penalty, and the same amount for the additional energy of the body
-      // without the penalty.
+      // Adds the energy of the penalty twice: once for itself, and once for the additional energy
+      // that the body would have without the penalty.
       found.energy += this->Penalty * point.weight * gap.value * gap.value;
       found.contactRadius = radius;
     }

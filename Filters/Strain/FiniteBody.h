@@ -29,21 +29,23 @@ public:
   FiniteBody(const ToolOutline& tool, const FiniteProblem& problem);
 
   Eigen::Index unknowns() const { return this->Unknowns; }
-  /// The lower half of the tangent from the last linearize().
+  /// The lower triangle of the tangent from the last linearize().
   const Matrix& pattern() const { return this->Tangent; }
 
-  /// The potential, N mm; +inf if an element of the body is turned inside out.
+  /// Returns the potential, N mm; +inf if an element of the body is turned inside out.
   double energy(const Vector& u, double depth) const;
   /// Computes the gradient and the tangent of the potential.
   void linearize(const Vector& u, double depth, Vector& gradient);
-  /// Updates the pressures after a step. Must be called with each step of the last linearization.
+  /// Updates the pressures after a step. Must be called with each step that is computed from the
+  /// last linearization.
   void follow(const Vector& step);
-  /// Clears the pressures. To be called if `u` was changed by other means than steps.
+  /// Clears the pressures. To be called if `u` was changed other than by a step of Newton's method.
   void restart() { this->Pressures.clear(); }
-  /// Computes all results except the number of iterations. The force is that of the penalty.
+  /// Computes all results except the number of iterations. The force is that of the penalty,
+  /// without the first-order correction.
   FinitePoint evaluate(const Vector& u, double depth) const;
-  /// Derivatives with respect to the depth at an equilibrium whose factorized tangent is in
-  /// `solver`: derivatives of the displacements, and of the energy of the penalty (N).
+  /// Derivatives with respect to the depth at an equilibrium: those of the displacements, and of
+  /// the energy of the penalty (N). `solver` holds the factorized tangent of this equilibrium.
   struct Course
   {
     Vector motion;
@@ -77,7 +79,7 @@ private:
   };
   struct Gap
   {
-    double value;             ///< distance from the tool, mm, > 0 outside
+    double value;             ///< distance from the tool, mm, positive outside
     Eigen::Vector2d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix2d hessian;
     double byDepth;
@@ -93,7 +95,8 @@ private:
 
   ElementVector gather(const Element& element, const Vector& u) const;
   double energyOf(const Element& element, const ElementVector& u, double* leastVolume) const;
-  /// Linearizes one element. `followed` is the pressure after the last step; null if there is none.
+  /// Linearizes one element. `followed` is the pressure after the last step; null if there was no
+  /// step.
   void linearize(const Element& element, const ElementVector& u, const Eigen::Vector3d* followed,
     ElementVector& gradient, ElementMatrix& tangent, PressureStep& step) const;
   Eigen::Vector2d displacementAt(const SurfacePoint& point, const Vector& u) const;
@@ -108,17 +111,19 @@ private:
   std::vector<Material> Materials;
   std::vector<Element> Elements;
   std::vector<SurfacePoint> Surface;
-  std::vector<int> UnknownOf; ///< index of u_r and u_z of each node; -1: fixed
+  /// Index of u_r and u_z of each node; -1 if the displacement is fixed.
+  std::vector<int> UnknownOf;
   Eigen::Index Unknowns = 0;
   Matrix Tangent;
-  // The pressures of elements and of contact are separate unknowns, which are eliminated from each
-  // step. If they were computed from a volume change or a gap out of equilibrium, the tangent would
-  // differ greatly from that at the solution.
-  std::vector<Eigen::Vector3d> Pressures; ///< if empty, they are computed from the displacements
+  // The pressures of elements and of contact are separate unknowns, which are eliminated in each
+  // step. If they were instead computed from the current volume change or gap, the tangent would
+  // differ greatly from the tangent at the solution while the body is not in equilibrium.
+  std::vector<Eigen::Vector3d> Pressures; ///< empty if they must be computed from the displacements
   std::vector<double> ContactPressures;   ///< MPa, < 0
   std::vector<PressureStep> Steps;
   std::vector<Gap> Gaps;
-  /// Index in the tangent for each entry (row, column <= row) of each element; -1: no such index.
+  /// Index in the tangent for each entry (row, column <= row) of each element; -1 if the entry
+  /// belongs to a fixed displacement.
   std::vector<int> ValueOf;
 };
 } // namespace palpate

@@ -20,11 +20,12 @@ constexpr double FarAway = 1000.0;
 // Stiffness of the penalty, as a multiple of E* divided by the contact radius.
 constexpr double PenaltyFactor = 300.0;
 constexpr double ElementsPerFillet = 5.0;
-// Fraction of a ball's radius. Closer to the centre the elements would have no width.
+// Radius of the hole at the centre of a ball, as a fraction of the ball's radius. Closer to the
+// centre the elements would have no width.
 constexpr double CentralHole = 0.02;
 
-/// Returns (r, z) of the point at the distance `along` the surface from the axis and at the depth
-/// `below` the surface. z = 0 is the surface on the axis.
+/// Returns (r, z) of the point at the distance `along` from the axis, measured along the surface,
+/// and at the depth `below` the surface. The surface on the axis is at z = 0.
 Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
 {
   if (bodyRadius == 0.0)
@@ -37,7 +38,8 @@ Eigen::Vector2d placeOf(double bodyRadius, double along, double below)
     -below - 2.0 * (bodyRadius - below) * half * half };
 }
 
-/// Returns the end of a half-space's mesh. It is farther away if the layers above are stiffer.
+/// Returns the distance at which the mesh of a half-space ends. It is larger if the layers above
+/// are stiffer.
 double farEnd(const FiniteProblem& problem, double above)
 {
   double stiffest = 1.0;
@@ -58,8 +60,8 @@ double meshBottom(const FiniteProblem& problem, double above, bool isHalfSpace)
                      : above;
 }
 
-/// Returns the width of the mesh along the surface. On a ball it extends to the plane of symmetry,
-/// in a cavity to its other end.
+/// Returns the width of the mesh along the surface. On a ball the mesh extends to the plane of
+/// symmetry, in a cavity to its opposite end.
 double meshWidth(const FiniteProblem& problem, double above, bool isHalfSpace)
 {
   const double curved = problem.bodyRadius;
@@ -140,7 +142,7 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       {
         for (int m = 0; m < 3; ++m)
         {
-          // The element's y points upwards, like z.
+          // The local coordinate y of the element points upwards, like z.
           const auto node = 3 * static_cast<std::size_t>(j) + static_cast<std::size_t>(m);
           element.nodes[node] =
             nodeAt(2 * static_cast<int>(i) + m, 2 * static_cast<int>(k) + 2 - j);
@@ -151,7 +153,8 @@ FiniteBody::FiniteBody(const ToolOutline& tool, const FiniteProblem& problem)
       this->Elements.push_back(element);
     }
   }
-  // In the model the tool has no end. Therefore it must not touch the other side of a cavity.
+  // The outline of the tool has no upper end in the model. Therefore the tool must not touch the
+  // other side of a cavity.
   const double touchable = curved != 0.0 ? Pi / 3.0 * std::abs(curved) : width;
   for (std::size_t i = 0; i + 1 < rs.size() && rs[i + 1] <= touchable; ++i)
   {

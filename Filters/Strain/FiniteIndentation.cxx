@@ -16,15 +16,18 @@ namespace
 using Eigen::VectorXd;
 
 constexpr int MostIterations = 14;
-constexpr int MostHalvings = 4; // halvings of a step of Newton's method before the method fails
-constexpr int MostCuts = 7;     // halvings of a step in depth before the solution ends
-// Largest factor of the depth per step. It is a factor because the contact grows with the depth.
+constexpr int MostHalvings = 4; // largest number of halvings of a step of Newton's method
+// Largest number of halvings of a depth increment before the solution ends.
+constexpr int MostCuts = 7;
+// Largest factor by which the depth increases per increment. It is a factor because the contact
+// grows with the depth.
 constexpr double LargestGrowth = 1.3;
-// Fraction of the first depth that the step from the undeformed body reaches.
+// First depth increment from the undeformed body, as a fraction of the first depth.
 constexpr double FirstFraction = 0.05;
-constexpr double Converged = 1e-12; // largest gain of a further iteration relative to the energy
+// Largest energy gain of a further iteration, relative to the energy.
+constexpr double Converged = 1e-12;
 
-/// Newton's method on the potential of a body and a tool at successive depths.
+/// Solves the equilibrium of a body and a tool at successive depths with Newton's method.
 class Press
 {
 public:
@@ -58,12 +61,13 @@ public:
       }
       else
       {
-        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0); // applies also to later steps
+        // The smaller growth also applies to later steps.
+        this->Growth = 1.0 + 0.5 * (this->Growth - 1.0);
       }
     }
     point = this->Body.evaluate(this->Now, depth);
-    // To first order, the potential of a rigid contact is the potential with the penalty, plus the
-    // energy of the penalty. The force is the derivative of that sum.
+    // To first order, the potential of a rigid contact is the potential with the penalty plus the
+    // energy of the penalty. The force is the derivative of this sum.
     point.force += this->Course.penaltySlope;
     point.iterations = iterations;
     return true;
@@ -89,7 +93,8 @@ private:
       }
       const VectorXd step = -this->Solver.solve(this->Gradient);
       const double slope = this->Gradient.dot(step);
-      if (!(slope < 0.0)) // no descent: the tangent is indefinite, or only rounding errors remain
+      // The step is no descent: the tangent is indefinite, or only rounding errors remain.
+      if (!(slope < 0.0))
       {
         return std::abs(slope) <= Converged * energy;
       }

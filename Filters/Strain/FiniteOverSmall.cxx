@@ -9,23 +9,24 @@ namespace palpate
 {
 namespace
 {
-constexpr double SmallStrainTime = 0.3; // fraction of the time for the solution at small strain
-constexpr double OutlineReach = 3.0;    // reach of the outline, in contact radii
-/// A step of the continuation with a rounder rim: factor of its fillet, and factor of the length of
-/// its elements.
+// Fraction of the computing time for the solution at small strain.
+constexpr double SmallStrainTime = 0.3;
+constexpr double OutlineReach = 3.0; // radius up to which the outline is exact, in contact radii
+/// A step of the continuation with a rounder rim: the factor on the fillet radius, and the factor
+/// on the length of the elements.
 struct Round
 {
   double fillet;
   double edge;
 };
 constexpr Round Rounds[] = { { 1.0, 1.0 }, { 1.5, 1.0 }, { 2.0, 2.0 }, { 3.0, 2.0 }, { 3.0, 4.0 } };
-/// Depth in fillet radii to which the result is used. At larger depths the surface creases next to
-/// the rim, and c is up to 1.5 % too low.
+/// Largest depth, in fillet radii, at which the result with a fillet is used. At larger depths the
+/// surface creases next to the rim, and c is up to 1.5 % too low.
 constexpr double TrustedDepth = 6.5;
-// Fraction of the remaining time that is reserved for rounder rims.
+// Fraction of the remaining computing time that is reserved for rounder rims.
 constexpr double ReservedTime = 0.3;
 
-/// Returns c with one fillet, to the largest depth that has an equilibrium.
+/// Returns c for one fillet, up to the largest depth with an equilibrium.
 std::vector<double> factorsWith(
   const ToolOutline& outline, FiniteProblem problem, const std::function<bool(double)>& goOn)
 {
@@ -68,8 +69,8 @@ std::vector<double> finiteOverSmall(const AxisymmetricTool& tool, const FinitePr
   {
     const double roundness = round.fillet * fillet;
     const ToolOutline outline = solvedOutline(tool, problem.contactRadius, roundness);
-    // The last known depth is solved again, to compare the results of both rims. The first depth is
-    // solved before it, as with the sharper rim.
+    // The last known depth is solved again, to compare the results of the sharper and the rounder
+    // rim. The first depth is solved before it, because this was also done with the sharper rim.
     const std::size_t again = std::min<std::size_t>(factors.size(), 2);
     FiniteProblem rest = problem;
     rest.edge = std::min(round.edge * problem.edge, FiniteProblem::LongestEdge);

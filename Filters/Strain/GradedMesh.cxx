@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the size at x. It is the size of a range inside the range, and increases with the
-/// distance outside.
+/// Returns the largest element size at x. Inside a range it is the size of the range; outside it
+/// increases with the distance from the range.
 double sizeAt(double x, const std::vector<FineRange>& fine, double growth)
 {
   double size = HUGE_VAL;
@@ -36,13 +36,13 @@ std::vector<double> gradedDivision(
     double x = start;
     while (x < stop)
     {
-      // The finer of the two ends determines the size. Therefore the elements become small before a
-      // range begins.
+      // The smaller size at the two ends of the element is used, so that the elements become small
+      // before a range begins.
       const double size = sizeAt(x, fine, growth);
       x += std::min(size, std::max(sizeAt(x + size, fine, growth), size / growth));
       inner.push_back(x);
     }
-    // The excess length of the last element is distributed over all elements.
+    // The part of the last element beyond the end is distributed over all elements.
     const std::size_t count = inner.size();
     const bool dropsLast =
       count > 1 && stop - inner[count - 2] < 0.5 * (inner[count - 1] - inner[count - 2]);

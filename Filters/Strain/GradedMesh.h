@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// A fine range of a division: no element in the range is longer than `size`.
+/// A range of a division in which no element is longer than `size`.
 struct FineRange
 {
   double from;
@@ -18,10 +18,10 @@ struct FineRange
 };
 
 /**
- * Divides 0 ≤ x ≤ end into elements. Each element is as long as the finest range nearby allows.
- * With increasing distance from ranges, an element is `growth` (> 1) times as long as the preceding
- * one. `through`: positions that must be ends of elements, ascending, within (0, end). Returns all
- * ends, including 0 and `end`.
+ * Divides 0 ≤ x ≤ end into elements. Each element is as long as the nearby ranges allow. With
+ * increasing distance from the ranges, each element is at most `growth` (> 1) times as long as the
+ * preceding one. `through` has positions that must be ends of elements, ascending, within (0, end).
+ * Returns all ends of elements, including 0 and `end`.
  */
 PALPATE_EXPORT std::vector<double> gradedDivision(double end, const std::vector<FineRange>& fine,
   double growth, const std::vector<double>& through = {});

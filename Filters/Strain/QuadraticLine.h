@@ -8,7 +8,7 @@
 /// such elements.
 namespace palpate::QuadraticLine
 {
-/// Gauss's rule with three points.
+/// The Gauss rule with three points on [-1, 1].
 inline constexpr int GaussCount = 3;
 inline constexpr std::array<double, 3> GaussNode = { -0.774596669241483377, 0.0,
   0.774596669241483377 };

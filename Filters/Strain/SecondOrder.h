@@ -7,9 +7,9 @@
 namespace palpate
 {
 /**
- * A number with its first and second derivatives with respect to N variables: forward automatic
- * differentiation of second order. With it, a strain energy is written as one line, from which
- * stress and tangent are computed.
+ * A number with its first and second derivatives with respect to N variables (second-order forward
+ * automatic differentiation). A strain energy can then be written as one formula, from which stress
+ * and tangent are computed.
  */
 template <int N>
 struct SecondOrder
@@ -26,7 +26,7 @@ struct SecondOrder
     : value(constant)
   {
   }
-  /// The variable with the index `index`.
+  /// Returns the variable with the index `index`.
   static SecondOrder variable(double value, int index)
   {
     SecondOrder x(value);
@@ -64,7 +64,7 @@ struct SecondOrder
   }
 };
 
-/// f(x), computed from the value and the first two derivatives of f at x.
+/// Returns f(x), computed from the value and the first two derivatives of f at x.
 template <int N>
 SecondOrder<N> compose(const SecondOrder<N>& x, double f, double first, double second)
 {

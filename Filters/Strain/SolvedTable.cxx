@@ -14,15 +14,16 @@ namespace palpate
 {
 namespace
 {
-// c is linear in √δ near 0. Smaller roots are omitted, because the mesh cannot resolve contacts of
-// a few elements.
+// c is linear in √δ near 0. Smaller roots are omitted, because the mesh cannot resolve contacts
+// that are only a few elements wide.
 const std::vector<double> SolvedRoots = { 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0 };
-constexpr int RatioNodes = 4;         // one node if there is a single value
+constexpr int RatioNodes = 4;         // number of Poisson's ratios; one if there is a single value
 constexpr double ThicknessStep = 2.0; // largest ratio of neighbouring thicknesses
 // Largest depth as a fraction of the thickness of the layers on a rigid base.
 constexpr double DeepestFraction = 0.7;
-constexpr double SolvedError = 0.003; // error of c caused by mesh, far field and interpolation
-// Error of c caused by the fillet: the difference from a fillet half as large.
+// Error of c due to the mesh, the far field and the interpolation.
+constexpr double SolvedError = 0.003;
+// Error of c due to the fillet: the difference from the result with a fillet of half the size.
 constexpr double CornerError = 0.01;
 
 std::vector<double> ratioNodes(const StrainBodies& bodies)
@@ -49,8 +50,8 @@ std::vector<double> thicknessNodes(double thinnest, double thickest)
   return nodes;
 }
 
-/// Returns the reach. It is `deepest` for the thickest layers, and at most a fraction of the total
-/// thickness.
+/// Returns the largest depth as a function of the thickness. It is `deepest` for the thickest
+/// layers, and at most a fraction of the total thickness.
 StrainReach reachOf(double deepest, const StrainBodies& bodies)
 {
   const LayerStack& stack = bodies.stack;
@@ -101,7 +102,7 @@ double ratioError(const LayerStack& stack)
     : 0.0;
 }
 
-/// Returns the additional error of c for a corner, because it is solved with a fillet.
+/// Returns the additional error of c for a tool with a corner, which is solved with a fillet.
 double cornerError(const AxisymmetricTool& tool, double deepest)
 {
   const double radius = tool.contactRadius(deepest);

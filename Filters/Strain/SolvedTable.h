@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Return tables of c computed by solveStrain, for a half-space and for layers, with their nodes
-/// and errors. Null if `goOn(fraction)` returned false.
+/// Return tables of c with the values of solveStrain(), for a half-space and for layers, with their
+/// nodes and errors. Null if `goOn(fraction)` returned false.
 std::unique_ptr<StrainTable> solveOnHalfSpace(
   const SolvedStrain& asked, const std::function<bool(double)>& goOn);
 std::unique_ptr<StrainTable> solveOnLayers(

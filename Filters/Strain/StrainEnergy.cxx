@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-/// log(1 + x).
+/// Returns log(1 + x).
 template <class Number>
 Number logOnePlus(const Number& x)
 {
@@ -23,7 +23,7 @@ Number exponential(const Number& x)
   return compose(x, e, e, e);
 }
 
-/// exp(x) - 1 - x, a term of second order.
+/// Returns exp(x) - 1 - x, which is of second order in x.
 template <class Number>
 Number beyondLinear(const Number& x)
 {
@@ -34,8 +34,8 @@ Number beyondLinear(const Number& x)
   return compose(x, value, grown, 1.0 + grown);
 }
 
-/// (3 + 2j)(1+j)^(-2/3) - 3: the part of Ī₁-3 that is caused by the volume change. Its derivative
-/// is exactly (2/3) j (1+j)^(-5/3).
+/// Returns (3 + 2j)(1+j)^(-2/3) - 3, the part of Ī₁-3 due to the volume change j. Its derivative is
+/// exactly (2/3) j (1+j)^(-5/3).
 template <class Number>
 Number volumetricPart(const Number& j)
 {
@@ -48,7 +48,7 @@ Number volumetricPart(const Number& j)
     j, value, 2.0 / 3.0 * v * power, 2.0 / 3.0 * power * (1.0 - 5.0 / 3.0 * v / (1.0 + v)));
 }
 
-/// atanh(√w)², analytic at 0.
+/// Returns atanh(√w)², which is analytic at 0.
 template <class Number>
 Number squaredLogRatio(const Number& w)
 {
@@ -63,11 +63,11 @@ Number squaredLogRatio(const Number& w)
   const double root = std::sqrt(v);
   const double a = std::atanh(root);
   const double slope = 1.0 / (2.0 * root * (1.0 - v));              // derivative of atanh(√w)
-  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // derivative of that slope
+  const double bend = slope * (-1.0 / (2.0 * v) + 1.0 / (1.0 - v)); // derivative of `slope`
   return compose(w, a * a, 2.0 * a * slope, 2.0 * (slope * slope + a * bend));
 }
 
-/// cosh(β√x) - 1, analytic at 0.
+/// Returns cosh(β√x) - 1, which is analytic at 0.
 template <class Number>
 Number coshOfRoot(const Number& x, double beta)
 {
@@ -87,23 +87,24 @@ Number coshOfRoot(const Number& x, double beta)
   return compose(x, 2.0 * half * half, b2 * first, b2 * b2 * second);
 }
 
-/// Ī₁ - 3.
+/// Returns Ī₁ - 3.
 template <class Number>
 Number isochoricStretch(const StrainEnergy::Gradient<Number>& h, const Number& j)
 {
   const auto& [a, b, c, d, e] = h;
-  // This is I₁-3 - 2(J-1), in which the linear terms cancel analytically.
+  // s is I₁-3 - 2(J-1), in which the linear terms cancel analytically.
   const Number plane = a * d - b * c;
   const Number s = a * a + b * b + c * c + d * d + e * e - 2.0 * (plane + e * (a + d) + e * plane);
   return s * exponential(-2.0 / 3.0 * logOnePlus(j)) + volumetricPart(j);
 }
 
-/// Σ λ̄^α - 3 in logarithmic strains. The linear terms cancel, because the sum of the strains is 0.
+/// Returns Σ λ̄^α - 3, computed from logarithmic strains. The linear terms cancel, because the sum
+/// of the strains is 0.
 template <class Number>
 Number ogdenSum(const StrainEnergy::Gradient<Number>& h, const Number& j, double alpha)
 {
   const auto& [a, b, c, d, e] = h;
-  // C in the plane, minus the identity. The eigenvalues of C in the plane are m ± √q.
+  // C in the (r, z) plane minus the identity. The eigenvalues of C in this plane are m ± √q.
   const Number rr = 2.0 * a + a * a + c * c;
   const Number zz = 2.0 * d + d * d + b * b;
   const Number rz = b + c + a * b + c * d;

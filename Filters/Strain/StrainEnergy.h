@@ -11,23 +11,23 @@
 namespace palpate
 {
 /**
- * The isochoric strain energy of a material per undeformed volume, MPa, for a body of revolution.
- * The total energy is the sum of this energy and the volumetric energy K/2 (J-1)², which the
- * elements project (FiniteIndentation.h). μ = E/2(1+ν), K = E/3(1-2ν): at small strain all models
- * agree with Hooke's law.
+ * The isochoric strain energy of a material per undeformed volume, MPa, for an axisymmetric
+ * deformation. The total energy is the sum of this energy and the volumetric energy K/2 (J-1)²,
+ * which is projected in the elements (FiniteIndentation.h). μ = E/2(1+ν), K = E/3(1-2ν); at small
+ * strain all models agree with Hooke's law.
  *
- * The energy is expressed by the displacement gradient H = F-1. Therefore neither the energy nor
- * the stress of a small strain is a difference of large numbers. Far from a contact, where elements
- * are very large, the rounding error of such a difference would exceed the result.
+ * The energy is a function of the displacement gradient H = F-1. Therefore neither the energy nor
+ * the stress of a small strain is computed as a difference of large numbers. Far from a contact,
+ * where elements are very large, the rounding error of such a difference would exceed the result.
  */
 class PALPATE_EXPORT StrainEnergy
 {
 public:
-  /// The components ∂u_r/∂r, ∂u_r/∂z, ∂u_z/∂r, ∂u_z/∂z, u_r/r.
+  /// The components ∂u_r/∂r, ∂u_r/∂z, ∂u_z/∂r, ∂u_z/∂z, u_r/r of the displacement gradient.
   template <class Number>
   using Gradient = std::array<Number, 5>;
 
-  /// `parameter` is α of Ogden, or b of Demiray. For allowed values see checkStrainEnergy.
+  /// `parameter` is α of Ogden, or b of Demiray. For allowed values see checkStrainEnergy().
   StrainEnergy(StrainModel model, double shearModulus, double parameter = 0.0)
     : Model(model)
     , ShearModulus(shearModulus)

@@ -23,10 +23,10 @@ namespace
 {
 constexpr auto CallInterval = std::chrono::milliseconds(100); // interval between calls of goOn
 
-/// One row of a table.
+/// The body that belongs to one row of a table.
 struct StrainRow
 {
-  LayerStack stack; ///< without layers: a half-space
+  LayerStack stack; ///< it has no layers for a half-space
   double ratio;     ///< Poisson's ratio of the half-space or of a single layer
   double deepest;   ///< mm
 };
@@ -53,7 +53,7 @@ StrainRow rowOf(const StrainProblem& problem, const StrainTable::Axes& axes, std
   return row;
 }
 
-/// Returns the largest contact radius, at small strain.
+/// Returns the largest contact radius at small strain, mm.
 double contactRadiusOf(const AxisymmetricTool& tool, const StrainRow& row)
 {
   const double flat = tool.contactRadius(row.deepest);
@@ -95,7 +95,7 @@ std::vector<FiniteLayer> finiteLayers(const StrainRow& row, const StrainLaw& law
   return layers;
 }
 
-/// Returns c at the roots up to the last equilibrium, then 0.
+/// Returns c at the roots up to the last equilibrium, and 0 at the other roots.
 std::vector<double> factorsOf(const StrainProblem& problem, const StrainRow& row,
   const std::vector<double>& roots, const std::function<bool(double)>& goOn)
 {

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-/// Least distance between two contacts, mm; used as long as they have no contact radius.
+/// Smallest distance between two contacts, mm; used if the sum of their contact radii is smaller.
 constexpr double LeastDistance = 1e-6;
 
 std::vector<CouplingKnot> knotsOf(const CouplingTerms& terms)

@@ -14,7 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// Forces are settled if the largest change in a round is below this fraction of the largest force.
+/// The forces have converged if the largest change in a round is below this fraction of the largest
+/// force.
 constexpr double Settled = 1e-14;
 } // namespace
 
@@ -121,7 +122,7 @@ void CoupledContacts::assume(const CoupledContacts& other) noexcept
     load.isOff = false;
     return;
   }
-  // Extrapolation from the two preceding ticks.
+  // Extrapolates the force from the two preceding ticks.
   const double last = load.force;
   load.force = last > 0.0 && load.before > 0.0 ? std::max(0.0, 2.0 * last - load.before) : last;
   load.before = last;
@@ -201,8 +202,8 @@ double CoupledContacts::goRound() noexcept
 
 double CoupledContacts::solveRound() noexcept
 {
-  // (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i for contacts that touch; the forces of the other
-  // contacts become 0.
+  // Solves (1/K_i) ΔF_i + Σ_j C_ij ΔF_j = (f_i - F_i)/K_i for the contacts that touch. The forces
+  // of the other contacts are set to 0.
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MostSolved, MostSolved>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MostSolved, 1>;
   const std::size_t count = this->Loads.size();
@@ -246,7 +247,7 @@ double CoupledContacts::solveRound() noexcept
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    // If the compliances are not positive definite (impossible for a body), the step is that for
+    // If the compliances are not positive definite (impossible for a body), the step assumes
     // constant forces of the other contacts.
     const double step = isSolved ? right[static_cast<Eigen::Index>(i)] : lack[i];
     this->Loads[i].force = std::max(0.0, this->Loads[i].force + step);
@@ -307,8 +308,8 @@ void CoupledContacts::addSideForce(std::size_t contact, Contact& felt) const noe
         this->Body.coupling->gradient(own.spot, own.pressed.place().triangle, other.spot);
     }
   }
-  // The area coordinates have a constant sum, so that an additive constant of the derivatives has
-  // no effect.
+  // The sum of the area coordinates is constant. Therefore an additive constant of the derivatives
+  // has no effect.
   const Eigen::Matrix3d& gradients = own.pressed.place().weightGradients;
   const Vector3 side = own.force *
     (gradients.col(1) * (byWeights[1] - byWeights[0]) +

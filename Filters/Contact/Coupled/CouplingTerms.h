@@ -10,25 +10,24 @@
 
 namespace palpate
 {
-/// Data for the coupling of contacts on one body, in addition to its curves. The views do not own
-/// their memory.
+/// Data for the coupling of contacts on one body. The views do not own their memory.
 struct CouplingTerms
 {
   static constexpr int MostModes = 16;
 
-  /// E* of the half-space, or of the top layer, MPa; 0: no coupling except by the modes.
+  /// E* of the half-space or of the top layer, MPa. With 0, contacts are coupled only by the modes.
   double modulus = 0.0;
-  /// Thickness of the layer, mm; 0: a half-space.
+  /// Thickness of the layer, mm; 0 for a half-space.
   double thickness = 0.0;
-  /// CouplingLaw::KnotCount knots of the layer's law; null: a half-space.
+  /// CouplingLaw::KnotCount knots of the layer's coupling law; null for a half-space.
   const CouplingKnot* knots = nullptr;
-  /// E* and thickness at each point, used instead of the values above; null: the values above hold
-  /// at all points.
+  /// E* (MPa) and thickness (mm) at each point, used instead of `modulus` and `thickness`. Null if
+  /// those values apply to all points.
   const float* localModulus = nullptr;
   const float* localThickness = nullptr;
-  /// Displacement of each point inward along its normal by each mode of the body, √(mm/N);
-  /// `modeCount` values per point. The modes add C_ij = Σ φ(i) φ(j) to the compliance of the
-  /// surface. Null: no modes.
+  /// Inward displacement of each point along its normal in each mode φ of the body, √(mm/N);
+  /// `modeCount` values per point. The modes add Σ φ(i) φ(j) to the compliance C_ij. Null if there
+  /// are no modes.
   const float* modes = nullptr;
   int modeCount = 0;
 

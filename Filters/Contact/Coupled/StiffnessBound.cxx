@@ -46,8 +46,9 @@ bool invert(double* matrix, std::size_t rows) noexcept
   return true;
 }
 
-/// An upper bound of the largest eigenvalue of a symmetric matrix: the eighth root of the largest
-/// row sum of its eighth power. It is at most rows^(1/16) times too large. Overwrites both arrays.
+/// Returns an upper bound of the largest eigenvalue of a symmetric matrix: the eighth root of the
+/// largest row sum of the eighth power of the matrix. The bound is too large by a factor of at most
+/// rows^(1/16). Overwrites both arrays.
 double largestEigenvalue(double* matrix, double* power, std::size_t rows) noexcept
 {
   constexpr int squarings = 3;

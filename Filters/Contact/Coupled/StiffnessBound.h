@@ -6,10 +6,10 @@
 
 namespace palpate
 {
-/// An upper bound of the stiffness of any motion of contacts with the compliance matrix
-/// `compliance`: the largest eigenvalue of the inverse, overestimated by a factor of at most
-/// rows^(1/16). Infinite if the matrix is not positive definite. Overwrites both matrices. 4 rows³
-/// multiply-adds.
+/// Returns an upper bound of the stiffness of any combined motion of contacts with the compliance
+/// matrix `compliance`. This is the largest eigenvalue of the inverse matrix, overestimated by a
+/// factor of at most rows^(1/16). Infinite if the matrix is not positive definite. Overwrites both
+/// matrices. Costs 4 rows³ multiply-adds.
 double stiffnessBound(double* compliance, double* spare, std::size_t rows) noexcept;
 } // namespace palpate
 

@@ -9,21 +9,22 @@ namespace palpate
 {
 namespace
 {
-/// Faces across blunt edges are searched within this multiple of the range.
+/// Faces across blunt edges are searched up to a distance of this multiple of the range of the
+/// curves.
 constexpr double BluntReach = 6.0;
-/// A face has no weight if its part of the sum of δ^-4 is below this value, and full weight from
-/// twice this value.
+/// Smallest share of a face in the sum of δ^-4. A face with a smaller share has no weight; from
+/// twice this share on, it has full weight.
 constexpr double LeastPart = 1e-3;
-/// A tip is outside if it is above a plane across a blunt edge at a distance of at most this many
-/// depths, 1/tan 20°. Planes farther away are ignored.
+/// A tip above the plane of a face across a blunt edge is outside the body if the edge is at most
+/// this many depths away (1/tan 20°). Planes of faces farther away are ignored.
 constexpr double OutsideWithin = 2.75;
-/// Another face is nearer only if its depth is below this fraction of the depth under the contact's
-/// own face. Therefore the contact does not alternate between two faces.
+/// Another face counts as nearer only if its depth is below this fraction of the depth under the
+/// contact's own face. This prevents the contact from alternating between two faces.
 constexpr double Nearer = 1.0 - 1e-6;
 constexpr std::size_t MostFaces = 8;
-/// Decay of the softness of an edge with x, its distance divided by the depth of the body:
-/// e^-2.75x, and 0 for x >= 1.5. For x below 1/50 the function is rounded, so that its slope is
-/// continuous at the edge.
+/// The softness of an edge decays with x = d/h, the distance from the edge divided by the depth at
+/// which the body is fixed: e^-2.75x, and 0 for x >= 1.5. For x below 1/50 the function is rounded,
+/// so that its slope is continuous at the edge.
 constexpr double Holding = 2.75;
 constexpr double ExtentsAway = 1.5;
 constexpr double RoundedWithin = 0.02;
@@ -35,14 +36,14 @@ struct Fade
   double slope = 0.0;
 };
 
-/// 1 up to half of `end`, 0 beyond `end`, with a continuous slope.
+/// Returns 1 up to half of `end` and 0 beyond `end`, with a continuous slope in between.
 Fade fade(double x, double end) noexcept
 {
   const double t = std::clamp(2.0 * x / end - 1.0, 0.0, 1.0);
   return { 1.0 - t * t * (3.0 - 2.0 * t), -12.0 * t * (1.0 - t) / end };
 }
 
-/// The vector without its part along a unit normal.
+/// Returns the vector without its component along a unit normal.
 Vector3 within(const Vector3& normal, const Vector3& vector) noexcept
 {
   return vector - normal.dot(vector) * normal;
@@ -59,8 +60,8 @@ double contactRadius(const EdgeTerms& terms, double depth) noexcept
                                : terms.radius * std::pow(depth, terms.exponent - 1.0);
 }
 
-/// Distance from a triangle within which a sharp edge is taken into account: at least as far as a
-/// contact may extend beyond the edge.
+/// Distance from a triangle within which a sharp edge is considered, mm. It is at least the
+/// distance by which a contact may extend beyond the edge.
 double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcept
 {
   const double least = 2.0 * end * largestRadius;
@@ -69,8 +70,9 @@ double reachOf(const EdgeTerms& terms, double end, double largestRadius) noexcep
   return terms.isInCurves ? least : std::max(least, usual);
 }
 
-/// The weighted part for a face's part r of the sum of δ^-4, 0 if r is negligible; and its
-/// derivative by r.
+/// Returns the weighted share of a face and its derivative with respect to r, where r is the
+/// unweighted contribution of the face to the sum of δ^-4. The weighted share is 0 if r is
+/// negligible.
 Fade partOf(double r) noexcept
 {
   const double t = std::clamp(r / LeastPart - 1.0, 0.0, 1.0);
@@ -87,8 +89,8 @@ BodyEdges::BodyEdges(const PackedMesh& mesh, const EdgeTerms& terms, double rang
 {
 }
 
-/// The faces near blunt edges above the tip: the face of the contact, the faces across its edges,
-/// and the faces one edge farther.
+/// The faces near the blunt edges around a contact: the face of the contact, the faces across its
+/// blunt edges, and the faces one edge farther away.
 class BodyEdges::Faces
 {
 public:
@@ -126,20 +128,21 @@ private:
   struct Face
   {
     std::int32_t triangle = EdgeChains::None;
-    std::int32_t number = EdgeChains::None; ///< number of the face; None: unknown
+    std::int32_t number = EdgeChains::None; ///< index of the face; None if it is unknown
     Vector3 normal = Vector3::Zero();
     double depth = 0.0;
-    /// 1 for a neighbour. For a face beyond a neighbour the weight rises from 0 to the weight of
-    /// the neighbour, as the depth under the neighbour approaches that under the contact's own
-    /// face.
+    /// The weight is 1 for a neighbour of the contact's own face. For a face beyond a neighbour,
+    /// the weight rises from 0 to the weight of that neighbour as the depth under the neighbour
+    /// approaches the depth under the contact's own face.
     double weight = 1.0;
-    Vector3 weightChange = Vector3::Zero(); ///< gradient by the tip
-    double part = 1.0;                      ///< part of the sum of δ^-4
+    Vector3 weightChange = Vector3::Zero(); ///< gradient with respect to the tip's position
+    double part = 1.0;                      ///< share of the face in the sum of δ^-4
     Vector3 partChange = Vector3::Zero();
   };
 
   const Face& own() const noexcept { return this->Known[0]; }
-  /// Returns (δ_own/δ)^4. ratioChange() is its gradient by the tip: -∇δ is the normal of the face.
+  /// Returns (δ_own/δ)^4. ratioChange() is the gradient of this ratio with respect to the tip's
+  /// position; -∇δ is the normal of the face.
   double ratio(const Face& face) const noexcept
   {
     const double x = this->own().depth / face.depth;
@@ -150,7 +153,7 @@ private:
     return 4.0 * ratio * (face.normal / face.depth - this->own().normal / this->own().depth);
   }
 
-  /// Finds the faces across the blunt edges of a face.
+  /// Finds the faces across the blunt edges of face i.
   void look(std::size_t i) noexcept
   {
     const EdgeChains& chains = this->Edges.Chains;
@@ -169,7 +172,7 @@ private:
       const Vector3 toEdge = place.point - this->Tip;
       if (!(segment.normal.dot(toEdge) > 0.0))
       {
-        continue; // the face is on the far side of a groove
+        continue; // the other face is on the far side of a groove
       }
       Face face;
       face.triangle = segment.across;
@@ -219,7 +222,7 @@ private:
     }
   }
 
-  /// δ^-4 = Σ w_k δ_k^-4.
+  /// Combines the depths of all faces: δ^-4 = Σ w_k δ_k^-4.
   void join(ContactReach& reach) noexcept
   {
     double sum = 0.0;
@@ -251,8 +254,8 @@ private:
       face.part /= sum;
       face.partChange = (face.partChange - face.part * sumChange) / sum;
     }
-    // The part along the contact's own normal is kept separate, because the normal of a curved
-    // surface differs from that of its face.
+    // The component along the contact's own normal is kept separate, because on a curved surface
+    // the contact's normal differs from that of its face.
     reach.ownNormal = reach.depth / this->own().depth * this->own().part;
     reach.otherNormals = outward - reach.ownNormal * this->own().normal;
   }
@@ -300,7 +303,7 @@ void BodyEdges::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& press
     place.normal = mesh.faceNormal(place.triangle);
   }
   const double height =
-    place.normal.dot(place.projection.point - tip); // height of the plane above the tip
+    place.normal.dot(place.projection.point - tip); // height of the plane of the face above the tip
   const Vector3 deepest = tip + pressed.sunk * place.normal;
   pressed.reach =
     this->at(mesh.toLocal(deepest), place.triangle, place.normal, height - pressed.sunk);
@@ -310,7 +313,8 @@ void BodyEdges::reach(const PackedMesh& mesh, const Vector3& tip, Pressed& press
   }
 }
 
-/// Remaining fraction of an edge's sharpness at a distance, and its derivative by the distance.
+/// Remaining fraction of an edge's sharpness at a distance, and its derivative with respect to the
+/// distance.
 struct BodyEdges::Softness
 {
   double part = 1.0;
@@ -354,7 +358,7 @@ Jet BodyEdges::shareOf(
     const EdgeLaw::Value law = this->Law.at(u, sharpness);
     const double one = -u * (m - 1.0) / depth; // du/dδ
     const double two = u * (m - 1.0) * m / (depth * depth);
-    // Ψ = 1/(1 + s k), with s the sharpness: dΨ/ds = -Ψ (1 - Ψ)/s.
+    // Ψ = 1/(1 + s k), where s is the sharpness. Therefore dΨ/ds = -Ψ (1 - Ψ)/s.
     const double bySharpness =
       softness.part > 0.0 ? -law.share * (1.0 - law.share) / softness.part : 0.0;
     const double byDistance = law.slope / radius + bySharpness * softness.slope;

@@ -35,7 +35,7 @@ CreaseCut::CreaseCut(const std::vector<TriangleCorners>& triangles, std::size_t 
   std::vector<std::int32_t> ends;
   for (const PackedMesh::CreaseSide& side : this->Sides)
   {
-    // The end of this side is the start of the other side.
+    // The end of this side is the start of the side in the other triangle.
     ends.push_back(this->Triangles[static_cast<std::size_t>(side.triangle)]
                                   [static_cast<std::size_t>(side.edge)]);
   }
@@ -52,7 +52,8 @@ void CreaseCut::findSides(
   std::size_t usable, const std::vector<float>& coordinates, double leastTurn)
 {
   std::vector<Vector3> normals(usable);
-  std::vector<std::array<float, 3>> turns(usable); // < 0: concave edge
+  // Angle between the normals across each edge, rad; negative for a concave edge.
+  std::vector<std::array<float, 3>> turns(usable);
   forRanges(usable,
     [&](std::size_t first, std::size_t last)
     {
@@ -168,7 +169,7 @@ std::vector<std::uint8_t> CreaseCut::folded(bool isCut) const
     const auto edge = static_cast<std::size_t>(side.edge);
     return std::array<std::int32_t, 2>{ corners[edge], corners[(edge + 1) % 3] };
   };
-  std::unordered_map<std::int32_t, int> sidesAt; // number of sides of creases that end at a point
+  std::unordered_map<std::int32_t, int> sidesAt; // number of crease sides that end at each point
   for (const auto* sides : { &this->Sides, &this->Concave })
   {
     for (const PackedMesh::CreaseSide& side : *sides)
@@ -206,7 +207,8 @@ std::vector<std::uint8_t> CreaseCut::folded(bool isCut) const
   return folded;
 }
 
-/// Removes edges whose two sides are still connected, because the parts are the same at both ends.
+/// Removes edges at which the surface is still connected, because both sides have the same part at
+/// both ends.
 void CreaseCut::dropUncut()
 {
   const auto isWhole = [this](const PackedMesh::CreaseSide& side)

@@ -16,17 +16,17 @@ namespace palpate
 {
 namespace
 {
-constexpr double CornerCosine = 0.8660254037844386; // 30°
-constexpr std::size_t MostSteps = 32;               // of a search along a chain
-constexpr int MostAround = 64;                      // triangles around a point
+constexpr double CornerCosine = 0.8660254037844386; // cosine of 30°
+constexpr std::size_t MostSteps = 32; // largest number of steps of a search along a chain
+constexpr int MostAround = 64;        // largest number of triangles around a point
 
 Vector3 centroid(const PackedMesh& mesh, std::int32_t triangle)
 {
   return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
 }
 
-/// Returns the next side on the border of the same face, at the end of a side; { -1, 0 } if the
-/// next side is no crease.
+/// Returns the crease side that follows a given side on the border of the same face; { -1, 0 } if
+/// the next side is not a crease.
 std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t triangle, int edge)
 {
   edge = (edge + 1) % 3;
@@ -49,7 +49,7 @@ std::pair<std::int32_t, int> following(const PackedMesh& mesh, std::int32_t tria
   return { -1, 0 };
 }
 
-/// The index of the face of each triangle. A face is a set of connected triangles.
+/// Returns the index of the face of each triangle. A face is a set of connected triangles.
 std::vector<std::int32_t> facesOf(const PackedMesh& mesh)
 {
   std::vector<std::int32_t> faces(mesh.triangleCount(), EdgeChains::None);
@@ -179,7 +179,7 @@ void EdgeChains::linkSegments(const PackedMesh& mesh)
         at = segment.*step;
         if (at == static_cast<std::int32_t>(i))
         {
-          break; // the chain is closed
+          break; // the chain is a closed loop
         }
       }
     }
@@ -187,7 +187,7 @@ void EdgeChains::linkSegments(const PackedMesh& mesh)
   }
 }
 
-/// Values that differ between consecutive segments of a chain are averaged where the segments meet.
+/// Averages the values of consecutive segments of a chain where the segments meet.
 void EdgeChains::roundEnds()
 {
   const std::vector<Segment> before = this->Segments;
@@ -206,8 +206,8 @@ void EdgeChains::roundEnds()
   }
 }
 
-/// Visits the triangles from the creases outwards. Each triangle stores the nearest chains within
-/// whose reach it is.
+/// Visits the triangles from the creases outwards. Each triangle stores the nearest chains that are
+/// within their reach of the triangle.
 void EdgeChains::findNear(const PackedMesh& mesh)
 {
   struct Candidate
@@ -240,7 +240,7 @@ void EdgeChains::findNear(const PackedMesh& mesh)
     const Vector3 middle = centroid(mesh, triangle);
     const Place place = this->closest(middle, segment, this->Segments.size());
     const double distance = std::abs(place.distance);
-    double size = 0.0; // a large triangle extends nearer to the edge than its centroid
+    double size = 0.0; // a large triangle extends closer to the edge than its centroid
     for (int k = 0; k < 3; ++k)
     {
       size = std::max(size, (mesh.corner(triangle, k) - middle).norm());
@@ -316,11 +316,12 @@ EdgeChains::Place EdgeChains::closest(
   found.part = clamped / at.length;
   found.point = at.start + (isBeyond && goesOn ? way : clamped) * at.along;
   Vector3 offset = place - found.point;
-  offset -= at.normal.dot(offset) * at.normal; // a curved face is not in the segment's plane
+  // A curved face deviates from the plane of the segment.
+  offset -= at.normal.dot(offset) * at.normal;
   bool isInside = offset.dot(at.outward) <= 0.0;
   if (isBeyond && !goesOn)
   {
-    // At a point between two segments, or at the end of the crease.
+    // The closest point is between two segments, or at the end of the crease.
     isInside = onward == None || !(isBefore ? this->segment(onward) : at).turnsLeft;
   }
   const double length = offset.norm();

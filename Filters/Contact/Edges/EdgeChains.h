@@ -13,14 +13,16 @@
 namespace palpate
 {
 /**
- * The creases of a surface as chains that bound its faces, and the chains near each triangle.
+ * The creases of a surface as chains along the borders of its faces, with a list of the chains near
+ * each triangle.
  *
- * A chain follows the border of one face, counter-clockwise seen from outside. It ends where the
- * border turns left by more than 30° (the corner of a face), where blunt and sharp edges meet, or
- * where the crease ends. At a corner of a face the next chain begins, and each of the two continues
- * straight beyond the corner. At an edge between two faces, each face has a separate chain.
+ * A chain follows the border of one face, counter-clockwise as seen from outside. It ends where the
+ * border turns left by more than 30° (a corner of the face), where blunt and sharp edges meet, or
+ * where the crease ends. At a corner of a face the next chain begins; there, each of the two chains
+ * continues straight beyond the corner. An edge between two faces belongs to two chains, one for
+ * each face.
  *
- * Built in O(n log n) on one thread. Memory: 4 bytes per triangle, and 32 per triangle near a
+ * Built in O(n log n) on one thread. Memory: 4 bytes per triangle, and 32 bytes per triangle near a
  * chain. Immutable.
  */
 class EdgeChains
@@ -28,15 +30,16 @@ class EdgeChains
 public:
   static constexpr std::size_t MostNear = 8;
   static constexpr std::int32_t None = -1;
-  using Near = std::array<std::int32_t, MostNear>; ///< segments, the nearest first, then None
+  /// Indices of segments, the nearest first; unused entries are None.
+  using Near = std::array<std::int32_t, MostNear>;
 
-  /// A side of a facet. Local coordinates of the mesh.
+  /// One edge of a triangle on a crease, in local coordinates of the mesh.
   struct Segment
   {
     Vector3 start;
-    Vector3 along;   ///< unit
-    Vector3 outward; ///< unit, in the plane of its triangle
-    Vector3 normal;  ///< unit, of that triangle
+    Vector3 along;   ///< unit vector
+    Vector3 outward; ///< unit vector in the plane of the triangle
+    Vector3 normal;  ///< unit normal of the triangle
     double length;
     std::int32_t next = None; ///< next segment of the chain
     std::int32_t previous = None;
@@ -45,34 +48,38 @@ public:
     std::int32_t other = None; ///< the face on the other side
     std::int32_t across;       ///< the triangle on the other side
     bool isBlunt;
-    bool turnsLeft = false;    ///< whether the chain turns left at the next segment
-    bool goesOnBefore = false; ///< continues straight beyond a corner of the face at its start
-    bool goesOnBehind = false; ///< continues straight beyond a corner of the face at its end
-    std::array<double, 2> sharpness;    ///< at both ends, see edgeSharpness
-    std::array<Vector3, 2> otherNormal; ///< normal of the other side, at both ends
+    bool turnsLeft = false; ///< whether the chain turns left at the next segment
+    /// Whether the chain continues straight beyond a corner of the face at the segment's start.
+    bool goesOnBefore = false;
+    /// Whether the chain continues straight beyond a corner of the face at the segment's end.
+    bool goesOnBehind = false;
+    std::array<double, 2> sharpness; ///< see edgeSharpness(); at the start and the end
+    /// Normal of the face on the other side, at the start and the end.
+    std::array<Vector3, 2> otherNormal;
   };
 
   /// The closest point on a chain.
   struct Place
   {
     std::int32_t segment = None;
-    double part = 0.0; ///< fraction of the segment's length
+    double part = 0.0; ///< position on the segment as a fraction of its length
     Vector3 point = Vector3::Zero();
-    double distance = 0.0; ///< mm, in the plane of the segment, > 0 on the side of the face
-    Vector3 gradient = Vector3::Zero(); ///< gradient of the distance by the argument of closest()
+    double distance = 0.0; ///< mm, in the plane of the segment; positive on the side of the face
+    /// Gradient of the distance with respect to the argument of closest().
+    Vector3 gradient = Vector3::Zero();
   };
 
-  /// Distance from a triangle (mm) within which a chain counts as near.
+  /// Distance from a triangle, mm, within which a sharp or a blunt chain counts as near.
   struct Reach
   {
     double sharp;
     double blunt;
   };
 
-  /// `poissonRatio` is that of the body.
+  /// `poissonRatio` is Poisson's ratio of the body.
   EdgeChains(const PackedMesh& mesh, double poissonRatio, const Reach& reach);
 
-  /// The chains near a triangle; null if there is no crease near it.
+  /// Returns the chains near a triangle; null if no crease is near it.
   const Near* near(std::int32_t triangle) const noexcept
   {
     const std::int32_t place =
@@ -92,12 +99,13 @@ public:
     return this->Segments[static_cast<std::size_t>(number)];
   }
 
-  /// The local minimum of the distance along a chain, searched from one of its segments. `place` is
-  /// in local coordinates. The time is bounded: the search stops after a fixed number of segments.
+  /// Returns the local minimum of the distance between a point and a chain, searched from the
+  /// segment `segment`. `place` is the point in local coordinates. The search stops after a fixed
+  /// number of segments, so that its time is bounded.
   Place closest(const Vector3& place, std::int32_t segment) const noexcept;
 
   double reach() const noexcept { return this->Limits.sharp; }
-  /// Bytes held.
+  /// Returns the memory used, bytes.
   std::size_t memory() const noexcept;
 
 private:
@@ -106,12 +114,12 @@ private:
   void roundEnds();
   void findNear(const PackedMesh& mesh);
   Place closest(const Vector3& place, std::int32_t segment, std::size_t mostSteps) const noexcept;
-  /// The segment on an edge of a triangle, or None.
+  /// Returns the segment on an edge of a triangle, or None.
   std::int32_t segmentAt(std::int32_t triangle, int edge) const;
 
   Reach Limits;
   std::vector<Segment> Segments;
-  std::vector<PackedMesh::CreaseSide> Sides; ///< only while the object is built
+  std::vector<PackedMesh::CreaseSide> Sides; ///< used only during construction
   std::vector<std::int32_t> NearPlaces;
   std::vector<Near> NearLists;
 };

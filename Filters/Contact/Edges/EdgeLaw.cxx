@@ -21,15 +21,16 @@ struct TableRow
 {
   double exponent;
   double u;
-  std::array<std::array<double, 2>, Ratios> psi; ///< value and slope
+  std::array<std::array<double, 2>, Ratios> psi; ///< value and slope of Ψ
 };
 
 constexpr TableRow Table[] = {
 #include "Contact/Edges/EdgeLawTable.inc"
 };
 
-/// The position u = -end at which a rigid tool of this exponent leaves the edge of a quarter space.
-/// For the flat end, `end` is larger than the theoretical 1, see EdgeLaw.
+/// The position u = -end at which a rigid tool with the force exponent `exponent` loses contact
+/// with the edge of a quarter space. For the flat end, `end` is larger than the theoretical value
+/// 1, see EdgeLaw.
 struct Leaving
 {
   double exponent;
@@ -59,15 +60,15 @@ struct Spline
   }
 };
 
-/// Returns the weights of the table's Poisson's ratios, for Lagrange interpolation of ln ψ.
+/// Returns the weights of the tabulated Poisson's ratios, for Lagrange interpolation of ln ψ.
 std::array<double, Ratios> weightsOf(double poissonRatio)
 {
   const double x = std::log(pointLoadSoftness(poissonRatio));
   std::array<double, Ratios> node{};
   std::transform(TableRatios.begin(), TableRatios.end(), node.begin(),
     [](double ratio) { return std::log(pointLoadSoftness(ratio)); });
-  // The parabola is valid only between the nodes. Below the first node, the line through the first
-  // two nodes is used.
+  // The parabola is valid only between the nodes. Below the first node, linear extrapolation
+  // through the first two nodes is used.
   if (x < node[0])
   {
     const double part = (x - node[0]) / (node[1] - node[0]);
@@ -85,8 +86,8 @@ std::array<double, Ratios> weightsOf(double poissonRatio)
   return weight;
 }
 
-/// Spline for one exponent of the table, from the end to u = 8. Its last slope is that of u/(u +
-/// k).
+/// Spline for one exponent of the table, from u = -end to u = 8. Its last slope is that of the tail
+/// u/(u + k).
 Spline splineOf(const Leaving& tool, double poissonRatio)
 {
   const std::array<double, Ratios> weight = weightsOf(poissonRatio);
@@ -166,8 +167,8 @@ EdgeLaw::EdgeLaw(const EdgeTerms& terms)
     found = {};
     for (std::size_t k = 0; k < 2; ++k)
     {
-      // Tools leave at different u. Beyond the edge each spline is stretched to the common end; at
-      // the edge itself there is no stretch.
+      // The splines of different exponents end at different u. Beyond the edge (u < 0) each spline
+      // is stretched to the common end; the stretch is zero at the edge itself.
       const double stretch = Ends[lower + k].end / this->End - 1.0;
       const double x = u < 0.0 ? u / this->End : 0.0;
       const Value one = splines[k].evaluate(u * (1.0 + stretch * x * x));
@@ -189,7 +190,7 @@ EdgeLaw::Value EdgeLaw::rightEdge(double u) const noexcept
     {
       return {};
     }
-    const double x = 1.0 + u / this->End; // 1 at the edge
+    const double x = 1.0 + u / this->End; // x is 1 at the edge
     return x > 0.0 ? Value{ x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / this->End,
       6.0 * (1.0 - 2.0 * x) / (this->End * this->End) }
                    : Value{ 0.0, 0.0, 0.0 };
@@ -241,7 +242,7 @@ double pointLoadSoftness(double poissonRatio)
   {
     ++i;
   }
-  // 1/ψ is nearly linear in ν: within 0.15 % of 0.809 - 0.890 ν for ν >= 0.3.
+  // 1/ψ is nearly linear in ν: for ν >= 0.3 it is within 0.15 % of 0.809 - 0.890 ν.
   const double part = (nu - ratio[i - 1]) / (ratio[i] - ratio[i - 1]);
   return 1.0 / ((1.0 - part) / value[i - 1] + part / value[i]);
 }
@@ -255,7 +256,7 @@ double edgeSharpness(double poissonRatio, double turn)
     return std::pow(t, 3.4);
   }
   // The strain at the surface is proportional to 1 - 2ν. Its contribution is (1+ν)(1-2ν)² 2/9,
-  // compared with cos² inside, whose mean is 1/3.
+  // compared with that of cos² inside the body, whose mean is 1/3.
   const double n = 1.0 - 2.0 * poissonRatio;
   const double skin = (1.0 + poissonRatio) * n * n * 2.0 / 9.0;
   const double part = 0.65 * skin / (1.0 / 3.0 + skin);

@@ -55,7 +55,7 @@ void PackedMesh::Builder::cut(const CreaseCut& creases)
       if (hasTwins)
       {
         std::int32_t& first = this->Joined[t][k];
-        first = partOf(first, part); // its number is lower than that of its twin
+        first = partOf(first, part); // the index of `first` is lower than that of its twin
         point = partOf(point, part);
         this->Twins.resize(this->PointCount, -1);
         this->Twins[static_cast<std::size_t>(point)] = first;
@@ -74,7 +74,8 @@ void PackedMesh::Builder::cut(const CreaseCut& creases)
   this->Links = std::make_unique<TriangleLinks>(this->joined(), this->PointCount);
 }
 
-/// Marks edges that have no neighbour because of a cut, and no longer counts them as border edges.
+/// Marks edges that have no neighbour because of a cut, and subtracts them from the number of
+/// border edges.
 void PackedMesh::Builder::markCreases()
 {
   this->Mesh.Found.borderEdges -= this->Mesh.Creases.size();
@@ -113,7 +114,8 @@ void PackedMesh::Builder::markCreases()
 
 void PackedMesh::Builder::computeCornerNormals()
 {
-  std::map<std::int32_t, Vector3> sums; // sums of normals by the index of the uncut point
+  // Sums of normals, with the index of the uncut point as the key.
+  std::map<std::int32_t, Vector3> sums;
   const auto visitParts = [this](const auto& visit)
   {
     for (std::size_t point = 0; !this->Mesh.Creases.empty() && point < this->PointCount; ++point)

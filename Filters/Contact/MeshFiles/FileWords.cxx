@@ -68,7 +68,8 @@ bool FileWords::number(float& value, std::string_view& wrong)
 {
   wrong = this->word();
   const std::string_view digits = wrong.substr(wrong.size() > 1 && wrong[0] == '+' ? 1 : 0);
-  // Double, because reading a float would reject numbers that are too small for it.
+  // The value is read as double, because reading a float would reject numbers that are too small
+  // for a float.
   double read = 0.0;
   const bool isNumber = readNumber(digits, read);
   value = isNumber ? static_cast<float>(read) : 0.0F;

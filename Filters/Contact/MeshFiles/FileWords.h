@@ -14,8 +14,7 @@ namespace palpate
 class FileWords
 {
 public:
-  /// `continued`: a character at the end of a line that continues the line on the next one; 0:
-  /// none.
+  /// A line that ends with the character `continued` continues on the next line; 0 disables this.
   FileWords(std::istream& stream, char continued = '\0')
     : Stream(stream)
     , Continued(continued)
@@ -24,15 +23,16 @@ public:
 
   /// Moves to the next line; returns false at the end of the file.
   bool nextLine();
-  /// Returns the next word of the line; "" at its end. Valid until the next line.
+  /// Returns the next word of the line, or "" at the end of the line. Valid until the next line is
+  /// read.
   std::string_view word();
   /// Reads the next word as a finite number. If the word is not a number, returns false and sets
   /// `wrong` to the word.
   bool number(float& value, std::string_view& wrong);
-  /// Number of the line, from 1.
+  /// Number of the current line, from 1.
   std::size_t lineNumber() const { return this->Number; }
 
-  /// The word, or the beginning of a long word, in quotes.
+  /// Returns the word, or the beginning of a long word, in quotation marks.
   static std::string shown(std::string_view word);
 
 private:

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t Parts = 3; // indices of a corner: point, texture coordinate, normal
+constexpr std::size_t Parts = 3; // number of indices of a corner: point, texture coordinate, normal
 constexpr std::array<const char*, Parts> PartNames = { "vertex", "texture coordinate", "normal" };
 
 class ObjReader
@@ -115,7 +115,7 @@ private:
     this->Mesh.starts.push_back(static_cast<std::int64_t>(this->Mesh.corners.size()));
   }
 
-  /// Reads a corner: v, v/t, v//n or v/t/n.
+  /// Reads a corner in the form v, v/t, v//n or v/t/n.
   bool readCorner(std::string_view text)
   {
     const std::string_view whole = text;
@@ -165,7 +165,8 @@ private:
     return true;
   }
 
-  /// Checks the largest indices at the end, because a corner may refer to a later vertex.
+  /// Checks the largest indices at the end of the file, because a corner may refer to a later
+  /// vertex.
   void checkLargest()
   {
     for (std::size_t part = 0; part < Parts && this->Mesh.fault.empty(); ++part)
@@ -179,7 +180,7 @@ private:
     }
   }
 
-  /// Keeps the normals if each point of a face has exactly one.
+  /// Keeps the normals if each point of a face has exactly one normal.
   void attachNormals()
   {
     if (this->LeftOut > 0)
@@ -225,10 +226,10 @@ private:
   FileWords Words;
   FileMesh Mesh;
   std::vector<float> Normals;               ///< normals in the order of the file
-  std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1: none
-  std::array<std::int64_t, Parts> Counts{}; ///< number of lines so far
+  std::vector<std::int64_t> CornerNormals;  ///< index of each corner's normal; -1 if it has none
+  std::array<std::int64_t, Parts> Counts{}; ///< number of lines of each kind so far
   std::array<std::int64_t, Parts> Largest{};
-  std::array<std::size_t, Parts> LargestAt{}; ///< line of the largest index
+  std::array<std::size_t, Parts> LargestAt{}; ///< line in which the largest index occurs
   std::size_t LeftOut = 0;
 };
 } // namespace

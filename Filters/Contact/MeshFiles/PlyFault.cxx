@@ -12,15 +12,17 @@
 
 namespace
 {
-constexpr std::uint64_t LongestFace = 255; // corners; size of a buffer in vtkPLYReader
-constexpr std::size_t LongestLine = 4000;  // characters; size of a buffer in vtkPLY
+// Largest number of corners of a face; size of a buffer in vtkPLYReader.
+constexpr std::uint64_t LongestFace = 255;
+// Largest number of characters; size of a buffer in vtkPLY.
+constexpr std::size_t LongestLine = 4000;
 
 struct Property
 {
   std::string name;
-  int countSize; // bytes of the length of a list, 0 if it is not a list
-  int size;      // bytes of a value
-  bool whole;    // an integer
+  int countSize; // bytes of the length of a list; 0 if the property is not a list
+  int size;      // bytes of one value
+  bool whole;    // whether the values are integers
 };
 
 struct Element

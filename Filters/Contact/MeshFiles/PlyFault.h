@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// The reason why a .ply file must not be given to vtkPLYReader, which crashes on damaged files; ""
-/// if there is none. The text names the line of the header, or the row of an element. Reads the
-/// file once.
+/// Returns the reason why a .ply file must not be given to vtkPLYReader, which crashes on damaged
+/// files; "" if the file can be read. The text names the line of the header, or the row of an
+/// element. Reads the file once.
 PALPATE_EXPORT std::string plyFault(std::istream& file);
 } // namespace palpate
 

@@ -27,7 +27,7 @@ std::string lowerCase(std::string_view word)
   return lower;
 }
 
-/// Adds the facets: three consecutive points for each.
+/// Adds the facets to a mesh with three consecutive points per facet.
 FileMesh withFacets(FileMesh mesh)
 {
   const std::size_t points = mesh.points.size() / 3;
@@ -48,7 +48,8 @@ FileMesh faulty(const std::string& fault)
   return mesh;
 }
 
-/// Reads facets from text. Keywords must be in order; they may be on one line or several.
+/// Reads facets from text. The keywords must be in the prescribed order; they may be on one line or
+/// several.
 class AsciiFacets
 {
 public:
@@ -81,7 +82,7 @@ private:
       {
         this->expect(isSolid != this->IsOpen && this->Corners == NoFacet, word);
         this->IsOpen = isSolid;
-        return; // the rest of the line is a name
+        return; // the rest of the line is the name of the solid
       }
       this->readWord(word);
     }
@@ -142,7 +143,8 @@ private:
     this->expect(isNamed, "facet");
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Words.word(); // skips any value: some programs write an undefined one
+      // Skips the value, whatever it is, because some programs write an undefined one.
+      this->Words.word();
     }
   }
 
@@ -170,7 +172,7 @@ private:
   FileWords Words;
   FileMesh Mesh;
   std::string Fault;
-  bool IsOpen = false;   ///< within a solid
+  bool IsOpen = false;   ///< whether the reader is within a solid
   int Corners = NoFacet; ///< number of corners of the current facet
 };
 
@@ -200,7 +202,8 @@ FileMesh readBinary(std::istream& file, std::uint64_t facets, std::uint64_t size
     }
     for (std::size_t i = 0; i < 9; ++i, ++values)
     {
-      const std::uint32_t word = wordAt(bytes.data() + 12 + 4 * i); // the corners follow the normal
+      // The coordinates of the corners follow the normal of the facet.
+      const std::uint32_t word = wordAt(bytes.data() + 12 + 4 * i);
       std::memcpy(values, &word, sizeof word);
       if (!std::isfinite(*values))
       {
@@ -216,7 +219,7 @@ FileMesh readBinary(std::istream& file, std::uint64_t facets, std::uint64_t size
   return withFacets(std::move(mesh));
 }
 
-/// Whether a text begins with "solid", possibly after a byte order mark and blanks.
+/// Returns whether a text begins with "solid", possibly after a byte order mark and blanks.
 bool beginsWithSolid(const std::string& head)
 {
   const std::size_t mark = head.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;

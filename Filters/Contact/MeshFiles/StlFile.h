@@ -10,15 +10,17 @@
 namespace palpate
 {
 /**
- * Reads the facets of a .stl file, each with three separate points. Normals of facets are ignored.
+ * Reads the facets of a .stl file. Each facet has three points of its own. The normals of the
+ * facets are ignored.
  *
- * Binary: 80 bytes, the number of facets, 50 bytes for each facet; bytes after that are ignored,
- * with a note. ASCII: begins with "solid", possibly after a byte order mark and blanks; keywords in
- * upper or lower case. A file that begins with "solid" is binary if its length matches its number
- * of facets, or if there is a zero byte among its first 84.
+ * A binary file has 80 bytes, the number of facets, and 50 bytes for each facet; further bytes are
+ * ignored, with a note. An ASCII file begins with "solid", possibly after a byte order mark and
+ * blanks; its keywords are in upper or lower case. A file that begins with "solid" is binary if its
+ * length matches its number of facets, or if there is a zero byte among its first 84 bytes.
  *
- * The fault names the line or the facet: a file that is neither binary nor ASCII, or that ends too
- * early, a keyword out of order, a facet without three corners, a number that is not finite.
+ * The fault names the line or the facet. Faults are: a file that is neither binary nor ASCII, or
+ * that ends too early; a keyword out of order; a facet without three corners; a number that is not
+ * finite.
  */
 PALPATE_EXPORT FileMesh readStl(std::istream& file);
 } // namespace palpate

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-/// "1", or "0.5 to 1".
+/// Returns the range of values as text, "1" or "0.5 to 1".
 std::string text(const ChoiceSpread& spread)
 {
   std::ostringstream words;
@@ -22,7 +22,7 @@ std::string text(const ChoiceSpread& spread)
   return least == words.str() ? least : least + " to " + words.str();
 }
 
-/// The fraction in percent, rounded down, so that "100 %" means all points.
+/// Returns the fraction in percent, rounded down, so that "100 %" means all points.
 std::string percentOfPoints(double share)
 {
   std::ostringstream words;
@@ -39,7 +39,8 @@ std::string percent(double error)
   return words.str();
 }
 
-/// The error of the chosen form, at the points within the tolerance and at the others.
+/// Describes the error of the chosen form, separately for the points within the tolerance and the
+/// other points.
 std::string errorOf(const ResponseChoice& choice, const ChoiceSettings& settings)
 {
   return choice.keptShare == 1.0
@@ -75,7 +76,7 @@ std::string taken(const ResponseChoice& choice, const ChoiceSettings& settings)
     (settings.share < 1.0 ? " at " + percentOfPoints(settings.share) : std::string());
 }
 
-/// The reason why no point force was chosen.
+/// Returns the reason why no point force was chosen.
 std::string noPointForce(const ResponseChoice& choice, const ChoiceSettings& settings)
 {
   if (!choice.regimeKnown || choice.need == ResponseNeed::PointForce)

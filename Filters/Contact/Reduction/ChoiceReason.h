@@ -9,8 +9,9 @@
 
 namespace palpate
 {
-/// A sentence about the chosen form, its error, the reason why no simpler form suffices, and the
-/// points at which the law does not hold. `before`: numbers per point of the original response.
+/// Describes the chosen form, its error, the reason why no simpler form suffices, and the points at
+/// which the law does not hold. `before` is the number of stored numbers per point of the original
+/// response.
 PALPATE_EXPORT std::string choiceReason(
   const ResponseChoice& choice, const ChoiceSettings& settings, int before);
 } // namespace palpate

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A curve as a vector of n forces, then n stiffnesses.
+/// A curve as a vector of n forces, followed by n stiffnesses.
 struct SampledCurve
 {
   const Eigen::VectorXd& columns;
@@ -24,13 +24,13 @@ struct SampledCurve
   }
 };
 
-/// The largest error of several curves, and its point. += keeps the larger error, or the first of
-/// two equal errors.
+/// The largest error of several curves, and the point at which it occurs. += keeps the larger
+/// error; of two equal errors it keeps the first.
 struct CurveError
 {
-  /// |F' - F|/F, with F_1 instead of F before the first sample; inf if not finite.
+  /// |F' - F|/F, with F_1 instead of F before the first sample; infinite if a value is not finite.
   double force = 0.0;
-  double slope = 0.0; ///< |K' - K| over the largest K of the curve
+  double slope = 0.0; ///< |K' - K| divided by the largest K of the curve
   std::size_t point = 0;
 
   CurveError& operator+=(const CurveError& other)
@@ -45,7 +45,8 @@ struct CurveError
   }
 };
 
-/// The error of a curve, evaluated at four depths in each interval between the samples of `right`.
+/// Returns the error of a curve, evaluated at four depths in each interval between the samples of
+/// `right`.
 CurveError curveError(
   const SampledCurve& right, const SampledCurve& reduced, double range, std::size_t point);
 } // namespace palpate

@@ -13,14 +13,14 @@ namespace
 {
 constexpr std::size_t SampleSize = 8192;
 
-/// The values after rounding to float, as they are stored.
+/// Returns the values after rounding to float, as they are stored.
 template <class Matrix>
 Matrix asStored(const Matrix& values)
 {
   return values.template cast<float>().template cast<double>();
 }
 
-/// Number of curves within the tolerance, and the largest error; += adds up.
+/// Number of curves within the tolerance, and the largest error. += combines two sets of curves.
 struct Kept
 {
   std::size_t count = 0;
@@ -43,7 +43,7 @@ struct Kept
   }
 };
 
-/// The arrays of up to 2 SampleSize points, evenly spaced.
+/// The arrays of at most 2 SampleSize points, evenly spaced among all points.
 class SampledPoints
 {
 public:
@@ -81,7 +81,7 @@ private:
   ResponseArrays Arrays;
 };
 
-/// The error of a curve with its best coefficients, rounded as they are stored.
+/// Returns the error of a curve with its best coefficients after rounding to float.
 double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& laws,
   Eigen::VectorXd& coefficients)
 {
@@ -93,8 +93,8 @@ double fit(const ReducibleCurves& curves, std::size_t i, const Eigen::MatrixXd& 
   return curveError({ curve, curves.sampling() }, { reduced, curves.sampling() }, range, 0).force;
 }
 
-/// The multiple of a law that is in the middle of the curves. A fraction (1 - share)/2 of the
-/// curves is ignored at each end.
+/// Returns the multiple of a law that is in the middle of the curves. At each end of the
+/// distribution, a fraction (1 - share)/2 of the curves is ignored.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& law, double share)
 {
   std::vector<double> scales(sample.count());
@@ -109,11 +109,11 @@ Eigen::MatrixXd middleLaw(const ReducibleCurves& sample, const Eigen::MatrixXd& 
     static_cast<std::size_t>(0.5 * (1.0 - share) * static_cast<double>(scales.size() - 1));
   const double least = scales[out];
   const double most = scales[scales.size() - 1 - out];
-  // At the harmonic mean, the relative errors to both ends are equal.
+  // With the harmonic mean, the relative errors at both ends are equal.
   return asStored(Eigen::MatrixXd(2.0 * least * most / (least + most) * law));
 }
 
-/// Whether all points have the curve and the range of the first point, bit for bit.
+/// Returns whether all points have the same curve and range, bit for bit.
 bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
 {
   const auto columns = static_cast<std::size_t>(arrays.basis ? arrays.laws : arrays.samples);
@@ -133,8 +133,9 @@ bool isOneCurve(const ResponseArrays& arrays, const ReducibleCurves& curves)
   return true;
 }
 
-/// The number of curves that the laws reproduce within the tolerance. errorOf(curves, i,
-/// coefficients) finds the coefficients; use(i, coefficients) receives them.
+/// Returns the number of curves that the laws reproduce within the tolerance, and the largest
+/// error. errorOf(curves, i, coefficients) computes the coefficients and returns the error; use(i,
+/// coefficients) receives the coefficients.
 template <class Error, class Use>
 Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorOf, const Use& use)
 {
@@ -147,8 +148,8 @@ Kept keptOf(const ReducibleCurves& curves, double tolerance, const Error& errorO
     });
 }
 
-/// Accepts the laws if the required fraction of the points is within the tolerance, first of the
-/// sample, then of all points.
+/// Stores the laws in `choice` if the required fraction of the points is within the tolerance. The
+/// sample is tested first, then all points.
 template <class Error>
 bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const ReducibleCurves& sample, const Eigen::MatrixXd& laws, const ChoiceSettings& settings,
@@ -172,7 +173,7 @@ bool takeLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Reduci
     return false;
   }
   const Eigen::MatrixXf basis = laws.cast<float>();
-  choice.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
+  choice.basis.assign(basis.data(), basis.data() + basis.size()); // one law after the other
   choice.coefficient = std::move(rows);
   choice.laws = static_cast<int>(count);
   choice.keptShare = static_cast<double>(kept.count) / static_cast<double>(curves.count());
@@ -210,7 +211,7 @@ bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const Redu
   const Eigen::MatrixXd laws = asStored(leadingLaws(sample, std::max(most, 1)));
   if (!laws.allFinite())
   {
-    return false; // forces are zero or not finite
+    return false; // the forces are zero or not finite
   }
   const Eigen::MatrixXd one = middleLaw(sample, laws.leftCols(1), settings.share);
   const Eigen::VectorXd law = one.col(0);

@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// Chooses the smallest number of laws with which the required fraction of the points is within the
-/// tolerance. Returns false, with the choice unchanged, if settings.mostLaws laws do not suffice.
+/// Chooses the smallest number of laws for which the required fraction of the points is within the
+/// tolerance. Returns false, with `choice` unchanged, if settings.mostLaws laws do not suffice.
 bool chooseLaws(ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const ChoiceSettings& settings);
 } // namespace palpate

@@ -12,7 +12,8 @@ namespace palpate
 Eigen::VectorXd columnWeights(
   const Eigen::VectorXd& curve, const ResponseSampling& sampling, double range)
 {
-  constexpr double slopeReach = 4.0 / 27.0; // the maximum of t (1 - t)² and of t² (1 - t)
+  // The maximum of t (1 - t)² and of t² (1 - t) for t from 0 to 1.
+  constexpr double slopeReach = 4.0 / 27.0;
   const Eigen::Index n = sampling.samples();
   Eigen::VectorXd weights(2 * n);
   double before = 0.0;
@@ -44,7 +45,8 @@ Eigen::MatrixXd leadingLaws(const ReducibleCurves& curves, int most)
       const Eigen::VectorXd weighted = shape(i).cwiseProduct(weights);
       partial.selfadjointView<Eigen::Lower>().rankUpdate(weighted);
     });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(gram); // increasing eigenvalues
+  // The eigenvalues are in ascending order.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(gram);
   const Eigen::Index count = std::min<Eigen::Index>(most, 2 * n);
   Eigen::MatrixXd laws =
     weights.cwiseInverse().asDiagonal() * modes.eigenvectors().rightCols(count).rowwise().reverse();

@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// The curves of the points that have a response: n forces, then n stiffnesses. They are read from
-/// either stored form.
+/// The curves of the points that have a response, read from either stored form. A curve has n
+/// forces, followed by n stiffnesses.
 class ReducibleCurves
 {
 public:
@@ -25,8 +25,9 @@ public:
   const ResponseSampling& sampling() const { return this->Sampling; }
   Eigen::VectorXd curve(std::size_t i) const;
 
-  /// Calls add(sum, i) for every `step`-th curve and returns the total. The sums of blocks are
-  /// added in order, so that the result does not depend on the number of threads.
+  /// Calls add(sum, i) for every `step`-th curve and returns the total. Blocks of curves are summed
+  /// separately, and their sums are added in a fixed order, so that the result does not depend on
+  /// the number of threads.
   template <class Sum, class Add>
   Sum sum(const Sum& zero, const Add& add, std::size_t step = 1) const;
 
@@ -39,7 +40,7 @@ private:
 template <class Sum, class Add>
 Sum ReducibleCurves::sum(const Sum& zero, const Add& add, std::size_t step) const
 {
-  // Size of the smallest range that forRanges gives a thread.
+  // Smallest size of a range that forRanges() assigns to one thread.
   constexpr std::size_t BlockSize = 8192;
   const std::size_t items = (this->count() + step - 1) / step;
   const std::size_t blocks = (items + BlockSize - 1) / BlockSize;
@@ -47,7 +48,7 @@ Sum ReducibleCurves::sum(const Sum& zero, const Add& add, std::size_t step) cons
   forRanges(blocks * BlockSize,
     [&](std::size_t first, std::size_t last)
     {
-      // A block belongs to the range in which it begins.
+      // A block is processed in the range that contains its first item.
       for (std::size_t b = (first + BlockSize - 1) / BlockSize; b * BlockSize < last; ++b)
       {
         for (std::size_t i = b * BlockSize; i < std::min(items, (b + 1) * BlockSize); ++i)

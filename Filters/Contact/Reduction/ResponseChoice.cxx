@@ -50,13 +50,14 @@ void lookAtPoints(ResponseChoice& choice, const ReducibleCurves& curves,
     static_cast<int>(std::max_element(limits.begin(), limits.end()) - limits.begin());
 }
 
-/// The secant at the end of the range, N/mm.
+/// Returns the slope of the secant from 0 to the end of the range, N/mm.
 double secant(const ReducibleCurves& curves, std::size_t i, const Eigen::VectorXd& curve)
 {
   return curve[curves.sampling().samples() - 1] / curves.range(i);
 }
 
-/// The largest |k δ - F| up to the range, divided by F at the range; inf if a value is not finite.
+/// Returns the largest |k δ - F| for δ up to the range, divided by F at the range, where k is the
+/// secant; infinite if a value is not finite.
 double lossOf(const ReducibleCurves& curves, std::size_t i)
 {
   const Eigen::VectorXd curve = curves.curve(i);
@@ -79,7 +80,7 @@ double lossOf(const ReducibleCurves& curves, std::size_t i)
   return loss;
 }
 
-/// Results of springs at a range of points.
+/// Errors and stiffnesses of the springs at a range of points.
 struct SpringsFound
 {
   std::size_t kept = 0;
@@ -97,8 +98,8 @@ struct SpringsFound
   }
 };
 
-/// Stores F = k δ. If all points have one range, F is k times one law. Otherwise F is the force at
-/// the range, k range, times one law plus k times another.
+/// Stores F = k δ. If all points have the same range, F is k times one law. Otherwise F is a sum of
+/// two laws, whose coefficients are the force at the range (k times range) and k.
 void storeSprings(
   ResponseChoice& choice, const ResponseArrays& arrays, const ReducibleCurves& curves)
 {
@@ -125,8 +126,9 @@ void storeSprings(
   choice.exponent = 1.0;
 }
 
-/// Chooses a spring per point if the evidence allows a point force and the error of the springs is
-/// within the tolerance at the fraction `share` of the points. Stores the findings in either case.
+/// Chooses one spring per point if the evidence allows a point force, and if the error of the
+/// springs is within the tolerance at the fraction `share` of the points. Stores the errors and
+/// stiffnesses of the springs in either case.
 bool chooseSprings(ResponseChoice& choice, const ResponseArrays& arrays,
   const ReducibleCurves& curves, const ChoiceSettings& settings)
 {

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// The forms of a response that can suffice for a body, the simplest first.
+/// The forms of a response that can suffice for a body, from the simplest to the most general.
 enum class ResponseNeed
 {
   PointForce, ///< a spring per point, independent of the shape of the tool
@@ -21,21 +21,22 @@ enum class ResponseNeed
   PerVertex   ///< each point has its own curve
 };
 
-/// The permitted change of the forces, the fraction of the points, and the depth.
+/// The permitted error of the forces, the fraction of the points that must satisfy it, and the
+/// depth of the tool.
 struct ChoiceSettings
 {
-  double tolerance = 0.01; ///< see chooseResponse; > 0
+  double tolerance = 0.01; ///< permitted relative error, > 0; see chooseResponse()
   double share = 1.0;      ///< fraction of the points that must be within the tolerance, 0 to 1
-  double depth = 0.0;      ///< depth of the tool, mm; 0: half of each point's range
+  double depth = 0.0;      ///< depth of the tool, mm; with 0, half of each point's range
   int mostLaws = 8;        ///< 1 to 16
 };
 
-/// Data of the points in addition to their curves; null: unknown.
+/// Data of the points in addition to their curves. A null pointer means that the data are unknown.
 struct ChoiceEvidence
 {
   const std::uint8_t* verdict = nullptr; ///< RegimeVerdict of each point at `depth`
   const float* validity = nullptr;       ///< depth to which the law holds, mm
-  /// The assumption that breaks at that depth, as in the data contract.
+  /// The assumption that limits the validity (ResponseLimit), as in the data contract.
   const std::uint8_t* limit = nullptr;
 };
 
@@ -53,9 +54,10 @@ struct ChoiceSpread
 };
 
 /**
- * The choice and the reasons for it. Except for PerVertex, these arrays replace the curves: `basis`
- * has `laws` rows of n forces then n stiffnesses, and `coefficient` has `laws` values per point (0
- * for points without response). PointForce has `exponent` 1.
+ * The chosen form and the reasons for it. For all forms except PerVertex, the following arrays
+ * replace the curves: `basis` has `laws` rows of n forces followed by n stiffnesses, and
+ * `coefficient` has `laws` values per point (0 for points without response). PointForce has
+ * `exponent` 1.
  */
 struct ResponseChoice
 {
@@ -64,24 +66,25 @@ struct ResponseChoice
   double exponent = 0.0;
   std::vector<float> basis;
   std::vector<float> coefficient;
-  int numbersPerPoint = 0; ///< stored numbers, without normal, range and status
+  int numbersPerPoint = 0; ///< stored numbers per point, without normal, range and status
 
   std::size_t points = 0;  ///< points that have a response
   double keptShare = 1.0;  ///< fraction of these points within the tolerance
-  double largestError = 0; ///< largest error of all these points
+  double largestError = 0; ///< largest error over all these points
 
   bool regimeKnown = false;
   /// Fraction of the points at which the shape of the tool has no effect.
   double shapelessShare = 0.0;
-  bool springTried = false; ///< true: springLoss and spring are set
-  /// Largest error of a spring per point, divided by the force at its range.
+  bool springTried = false; ///< whether springLoss and spring are set
+  /// Largest error of one spring per point, divided by the force at the point's range.
   double springLoss = 0.0;
   ChoiceSpread spring; ///< N/mm
   ChoiceSpread range;  ///< mm
   ChoiceSpread depth;  ///< mm
   bool validityKnown = false;
   double beyondShare = 0.0; ///< fraction of the points at which `depth` exceeds the validity
-  int firstLimit = 0;       ///< the assumption that breaks first at most of these points
+  /// The assumption that breaks first at most of the points that are beyond the validity.
+  int firstLimit = 0;
 };
 
 /**
@@ -89,20 +92,21 @@ struct ResponseChoice
  *
  * A point force is chosen if three conditions hold at a fraction `share` of the points: the shape
  * of the tool has no effect (evidence.verdict is 2), the depth is within the validity of that law,
- * and the error of a spring F = k δ per point is within the tolerance. This error is relative to
- * the force at the end of the point's range. k is the secant at that depth: the local compliance in
- * series with the global one. The error is not relative to the force at the same depth, as it is
- * for laws, because a spring cannot follow the start of a contact: near δ = 0 its relative error is
- * unbounded. With the local fraction ε = 1 - λ at the end of the range, the largest error of a
- * sphere's spring is ε/7 of the force at the end, at 0.3 of the range.
+ * and the error of a spring F = k δ per point is within the tolerance. The stiffness k is the slope
+ * of the secant to the end of the point's range, that is, the local compliance in series with the
+ * global one. The error of a spring is relative to the force at the end of the range. It is not
+ * relative to the force at the same depth, unlike the error of laws, because a spring cannot follow
+ * the start of a contact: near δ = 0 its relative error is unbounded. If the local fraction at the
+ * end of the range is ε = 1 - λ, the largest error of the spring of a sphere is ε/7 of the force at
+ * the end, and occurs at 0.3 of the range.
  *
- * Otherwise the smallest number of laws is chosen with which a fraction `share` of the points is
+ * Otherwise the smallest number of laws is chosen for which a fraction `share` of the points is
  * within the tolerance of reduceResponse: |F' - F|/F at any depth up to the range. The laws are
- * computed from up to 8192 points, evenly spaced, and are then tested on all points.
+ * computed from up to 8192 evenly spaced points, and are then tested on all points.
  *
- * The arrays may have either form; points without response (by status) are ignored. The result is
+ * The arrays may be in either form. Points without response (by status) are ignored. The result is
  * bit for bit the same for any number of threads. Cost: about 20 ns per point if all curves are the
- * same, else 2 to 3 µs per point and core.
+ * same, else 2 to 3 µs per point on one core.
  */
 PALPATE_EXPORT ResponseChoice chooseResponse(
   const ResponseArrays& arrays, const ChoiceEvidence& evidence, const ChoiceSettings& settings);

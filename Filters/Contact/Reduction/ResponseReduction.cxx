@@ -11,9 +11,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ScreenSize = 4096; // points on which a form is tested first
+constexpr std::size_t ScreenSize = 4096; // number of points on which a form is tested first
 
-/// The values after rounding to float, as they are stored.
+/// Returns the values after rounding to float, as they are stored.
 template <class Matrix>
 Matrix stored(const Matrix& values)
 {
@@ -28,7 +28,7 @@ Eigen::VectorXd storedCoefficients(
     lawCoefficients(curve, columnWeights(curve, curves.sampling(), curves.range(i)), laws)));
 }
 
-/// The curve of point i, sampled at the depths of `sampling`.
+/// Returns the curve of point i, sampled at the depths of `sampling`.
 Eigen::VectorXd resampled(
   const ReducibleCurves& curves, std::size_t i, const ResponseSampling& sampling)
 {
@@ -46,8 +46,8 @@ Eigen::VectorXd resampled(
   return stored(samples);
 }
 
-/// The error of the curves reduced(i) over all i. Some curves are tested first, which may suffice
-/// to reject the form.
+/// Returns the largest error of the curves reduced(i) over all i. Some curves are tested first; if
+/// they already exceed the tolerance, the other curves are not tested.
 template <class Reduced>
 CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampling,
   double tolerance, const Reduced& reduced)
@@ -55,7 +55,7 @@ CurveError errorOf(const ReducibleCurves& curves, const ResponseSampling& sampli
   const auto add = [&](CurveError& error, std::size_t i)
   {
     const Eigen::VectorXd right = curves.curve(i);
-    // Binding to a reference extends the lifetime of a temporary.
+    // Binding the result to a reference extends the lifetime of a temporary.
     const Eigen::VectorXd& other = reduced(i);
     error += curveError(
       { right, curves.sampling() }, { other, sampling }, curves.range(i), curves.point(i));
@@ -72,7 +72,7 @@ void note(ReducedResponse& result, const CurveError& error)
   result.worstPoint = error.point;
 }
 
-/// Stores laws as the rows of the contract, and coefficients(i) per point.
+/// Stores the laws as the rows of the array `basis`, and coefficients(i) for each point.
 template <class Coefficients>
 void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const ReducibleCurves& curves,
   const Eigen::MatrixXd& laws, const Coefficients& coefficients)
@@ -81,7 +81,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
   result.laws = static_cast<int>(count);
   result.samples = arrays.samples;
   const Eigen::MatrixXf basis = laws.cast<float>();
-  result.basis.assign(basis.data(), basis.data() + basis.size()); // column by column
+  result.basis.assign(basis.data(), basis.data() + basis.size()); // one law after the other
   result.coefficient.assign(count * arrays.points, 0.0F);
   forRanges(curves.count(),
     [&](std::size_t first, std::size_t last)
@@ -95,7 +95,7 @@ void storeLaws(ReducedResponse& result, const ResponseArrays& arrays, const Redu
     });
 }
 
-/// The law that is in the middle of all curves, which are multiples of one law.
+/// Returns the law in the middle of all curves, which are multiples of one law.
 Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& law)
 {
   struct Span
@@ -115,7 +115,7 @@ Eigen::MatrixXd middleLaw(const ReducibleCurves& curves, const Eigen::MatrixXd& 
       const double scale = storedCoefficients(curves, i, law)[0];
       partial += { scale, scale };
     });
-  // At the harmonic mean, the relative errors to both ends are equal.
+  // With the harmonic mean, the relative errors at both ends are equal.
   return stored(Eigen::MatrixXd(2.0 * span.least * span.most / (span.least + span.most) * law));
 }
 

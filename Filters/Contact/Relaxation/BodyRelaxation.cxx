@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the depth d of the whole curve at which the depth of its local part is `local`:
-/// d - C F(d) = local.
+/// Solves d - C F(d) = local. Returns the depth d on the whole curve (local part and compliance C
+/// in series) at which the local part has the depth `local`.
 double wholeDepth(const ResponseField& whole, std::int32_t point, double compliance, double local)
 {
   return increasingRoot(
@@ -27,11 +27,11 @@ double wholeDepth(const ResponseField& whole, std::int32_t point, double complia
     local, whole.range(point), local + compliance * whole.evaluate(point, local).force);
 }
 
-/// Whether the stiffness of a curve never falls with depth, except for noise.
+/// Returns whether the stiffness of a curve never decreases with depth, except for noise.
 bool isConvex(const ResponseField& curves, std::int32_t point)
 {
   constexpr int chords = 16;
-  constexpr double noise = 0.01; // fraction of the steepest chord
+  constexpr double noise = 0.01; // largest noise, as a fraction of the slope of the steepest chord
   const double range = curves.range(point);
   double depth = 0.0;
   double force = 0.0;
@@ -97,8 +97,8 @@ void BodyRelaxation::separate(const PackedMesh& mesh, const ResponseArrays& arra
         }
         const auto compliance = static_cast<double>(arrays.relaxation.elasticCompliance[i]);
         const double end = whole.range(point);
-        // At least a thousandth of the range, because a body that only bends as a whole has no
-        // local part.
+        // At least a thousandth of the range is used, because a body that only bends as a whole has
+        // no local part.
         const double local =
           std::max(end - compliance * whole.evaluate(point, end).force, 1e-3 * end);
         range[i] = static_cast<float>(local);

@@ -14,13 +14,14 @@
 namespace palpate
 {
 /**
- * The relaxation data of a body for the servo tick: one set for all points, or one set per point.
+ * The relaxation data of a body for the servo tick, either one set for all points or one set per
+ * point.
  *
  * A part of the compliance may be elastic and in series (RelaxationTerms::elasticCompliance). Then
- * only the rest of the curve relaxes: δ = δ_local + C F. The curves of the local part are stored in
- * addition to those of the response (80 bytes more per point).
+ * only the remaining part of the curve relaxes: δ = δ_local + C F. The curves of this local part
+ * are stored in addition to those of the response (80 bytes more per point).
  *
- * Immutable, safe from any number of threads.
+ * Immutable; can be used from any number of threads.
  */
 class PALPATE_EXPORT BodyRelaxation
 {
@@ -31,21 +32,22 @@ public:
     const PackedMesh& mesh, const ResponseField& response, const ResponseArrays& arrays);
 
   const PronySeries& series() const noexcept { return this->Series; }
-  /// The curves that relax.
+  /// Returns the curves that relax: those of the local part, or those of the response if there is
+  /// no elastic compliance.
   const ResponseField& curves() const noexcept { return this->Local ? *this->Local : this->Whole; }
   bool isInSeries() const noexcept { return this->Local != nullptr; }
   /// The longest range of curves(), mm.
   double range() const noexcept { return this->Range; }
-  /// Whether the stiffness of all these curves rises with depth, except for noise. Other curves can
-  /// only be used with one element (QuasiLinearElement).
+  /// Whether the stiffness of all these curves increases with depth, except for noise. Other curves
+  /// can only be used with one element (QuasiLinearElement).
   bool areConvex() const noexcept { return this->AreConvex; }
-  /// If the curves of all points are the same: a point that has a curve; else -1.
+  /// Returns a point that has a curve if the curves of all points are the same; else -1.
   std::int32_t sameEverywhere() const noexcept { return this->Same; }
   bool isPerPoint() const noexcept { return !this->Strength.empty(); }
 
-  /// m of F ∝ δ^m, approximate.
+  /// Returns the approximate exponent m of F ∝ δ^m.
   double exponent() const noexcept { return this->Exponent; }
-  /// Contact radius at a depth, mm; 0: unknown.
+  /// Returns the contact radius at a depth, mm; 0 if it is unknown.
   double contactRadius(double depth) const noexcept
   {
     if (this->Exponent == 1.5)
@@ -54,14 +56,14 @@ public:
     }
     return this->Radius > 0.0 ? this->Radius * std::pow(depth, this->Exponent - 1.0) : 0.0;
   }
-  /// The largest Σ p_i of all points.
+  /// Returns the largest Σ p_i of all points.
   double strongest() const noexcept;
-  /// p_i at a point.
+  /// Returns the strengths p_i at a point.
   RelaxationStep::Branches strength(std::int32_t point) const noexcept;
-  /// p_i blended over three points.
+  /// Returns the strengths p_i interpolated between three points.
   RelaxationStep::Branches strength(
     const TriangleCorners& points, const Vector3& weights) const noexcept;
-  /// Blended elastic compliance, mm/N; 0 if the whole curve relaxes.
+  /// Returns the interpolated elastic compliance, mm/N; 0 if the whole curve relaxes.
   double elasticCompliance(const TriangleCorners& points, const Vector3& weights) const noexcept;
 
 private:
@@ -71,8 +73,10 @@ private:
   const ResponseField& Whole;
   std::unique_ptr<const ResponseField> Local;
   PronySeries Series;
-  LargeVector<float> Strength;   ///< Series.count values per point of the mesh, or empty
-  LargeVector<float> Compliance; ///< one value per point of the mesh, or empty
+  /// Series.count values per point of the mesh; empty if all points have the same values.
+  LargeVector<float> Strength;
+  /// One value per point of the mesh; empty if the whole compliance relaxes.
+  LargeVector<float> Compliance;
   double Exponent;
   double Radius;
   double Range;

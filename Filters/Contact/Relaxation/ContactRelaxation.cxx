@@ -14,7 +14,8 @@ namespace
 {
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
 
-/// Fraction of new material after a path of length `way`, for a contact radius: 1 - e^(-way/2a).
+/// Fraction of the contact area that is new material after a path of length `way`, for the contact
+/// radius `radius`: 1 - e^(-way/2a).
 double shareOfWay(double way, double radius) noexcept
 {
   const double x = 0.5 * way / radius;
@@ -159,8 +160,8 @@ void ContactRelaxation::pressElements(
       ++used;
     }
     this->Nodes.chordsOf(curve, used, this->Chords);
-    // Evaluated on the present curve, because the difference between this curve and the last one is
-    // not an increment of the force.
+    // Evaluated on the curve of this tick, because the difference between this curve and the last
+    // one is not an increment of the force.
     before = this->Depth > 0.0 ? this->restAt(curve, this->Depth) : 0.0;
   }
   this->LastRest = before;
@@ -201,8 +202,8 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
   {
     return tip;
   }
-  // The force rises with the depth, so that the root is between these bounds. The slope has steps;
-  // therefore a secant method with a bracket (Illinois) finds the root.
+  // The force increases with the depth, so that the root is between these bounds. The slope is
+  // discontinuous; therefore a bracketed secant method (Illinois) finds the root.
   double high = tip;
   double overHigh = compliance * atTip;
   double low = tip - overHigh;
@@ -237,7 +238,7 @@ double ContactRelaxation::localDepth(const BlendedResponse& curve) const noexcep
 
 void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept
 {
-  // The stored force is scaled to the curve of this tick.
+  // Scales the stored force to the curve of this tick.
   const double same = this->OneDepth > 0.0 ? curve.evaluate(this->OneDepth).force : 0.0;
   if (same > 0.0 && this->OneSlow > 0.0)
   {
@@ -275,14 +276,14 @@ void ContactRelaxation::pressOne(const BlendedResponse& curve, const ResponseVal
 
 double ContactRelaxation::secantCompliance() const noexcept
 {
-  // 2 e/f² for f ∝ δ^m, where e is the work of f.
+  // For f ∝ δ^m this is 2 e/f², where e is the work of f.
   return this->Slow > 0.0 ? 2.0 * this->Depth / ((this->Body->exponent() + 1.0) * this->Slow) : 0.0;
 }
 
 Vector3 ContactRelaxation::drag(const Vector3& contactPoint, const Vector3& normal) noexcept
 {
-  // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) for a flat end on an incompressible
-  // body.
+  // Ratio of tangential to normal stiffness: 2 (1-ν)/(2-ν) for a flat end, here for an
+  // incompressible body.
   constexpr double tangential = 2.0 / 3.0;
   const double way = this->Drag.advance(contactPoint, normal);
   const double radius = this->Body->contactRadius(this->Depth);
@@ -345,8 +346,8 @@ double ContactRelaxation::cappedForce(double cappedSlow, double maximumStiffness
 double ContactRelaxation::stiffening() const noexcept
 {
   const double felt = this->Step.sampledStiffening();
-  // The force of the one element is multiplied by the ratio of the capped to the full slow force,
-  // so that its memory acts as m times as stiff.
+  // The force of the single element is multiplied by the ratio of the capped to the full slow
+  // force. Therefore its memory acts m times as stiff.
   return this->IsOne ? 1.0 + std::max(this->Body->exponent(), 1.0) * (felt - 1.0) : felt;
 }
 

@@ -13,13 +13,13 @@ namespace palpate
 {
 /**
  * The force needed to move a tool to material that has not been pressed yet (hysteresis friction).
- * The contact sticks with the tangential stiffness of the body until the tangential force reaches
- * the energy that new material stores per unit length.
+ * The contact sticks with the tangential stiffness of the body until the tangential force equals
+ * the energy that new material stores per unit length of the path.
  *
- * The stiffness changes with the depth. When the spring gets stiffer, its force is kept; when it
- * gets softer, its displacement is kept. Therefore no change creates energy (as in ShapeFriction).
- * Only the sliding part of the motion exchanges material: a small motion back and forth reaches no
- * new material.
+ * The stiffness changes with the depth. When the spring gets stiffer, it keeps its force; when it
+ * gets softer, it keeps its displacement. Therefore no change creates energy (as in ShapeFriction).
+ * Only sliding moves the contact to new material: a small motion back and forth does not reach new
+ * material.
  */
 class SlidingDrag
 {
@@ -30,8 +30,8 @@ public:
     this->Displacement.setZero();
   }
 
-  /// Moves to the contact of this tick. Returns the length of the path, mm; 0 for the first contact
-  /// after reset().
+  /// Moves to the contact point of this tick. Returns the length of the path from the last contact
+  /// point, mm; 0 for the first contact after reset().
   double advance(const Vector3& contactPoint, const Vector3& normal) noexcept
   {
     if (!this->Frame.advance(contactPoint, normal))
@@ -42,8 +42,9 @@ public:
     return this->Frame.step().length();
   }
 
-  /// Slides along the path of advance(). `limit` in N, `stiffness` in N/mm. Returns the length of
-  /// the sliding part, mm.
+  /// Slides along the path of the last advance(). `limit` is the largest tangential force, N.
+  /// `stiffness` is the tangential stiffness, N/mm. Returns the length of the sliding part of the
+  /// path, mm.
   double slide(double limit, double stiffness) noexcept
   {
     if (stiffness > this->Stiffness)
@@ -69,7 +70,7 @@ public:
     return slid;
   }
 
-  /// Force on the tool, N.
+  /// Returns the force on the tool, N.
   Vector3 force() const noexcept
   {
     return -this->Stiffness * this->Frame.toSpace(this->Displacement);
@@ -79,56 +80,60 @@ private:
   static constexpr double Shortest = 1e-12; ///< mm
 
   FrictionFrame Frame;
-  Vector2 Displacement = Vector2::Zero(); ///< elastic part, mm
+  Vector2 Displacement = Vector2::Zero(); ///< elastic part of the displacement, mm
   double Stiffness = 0.0;
 };
 
 /**
- * The force of one contact on a body that relaxes, computed tick by tick.
+ * Computes the force of one contact on a body that relaxes, tick by tick.
  *
  * The stored curve f is the slow response. Parallel elements (RelaxationElements) carry the memory
- * force; each separates from the tool independently. Their slow force f_N is f approximated by
- * chords. The rest f - f_N relaxes as one quasi-linear branch (QLV). The force F = Σ w_j q_j + (f -
- * f_N) + QLV[f - f_N] is at least 0, and 0 when the first element separates. Loading is exact for
- * any number of elements. On release the contact ends before the tool has left the dent, and the
- * dent then recovers without contact. The three curves of a triangle share one memory, because q
- * depends on depth and time only. The following errors are the largest over ramps, holds, releases,
- * triangles, sines and random presses of three materials (P to 4), as a fraction of the largest
- * force, for a sphere and a cone: 0.40 and 0.91 % with 16 elements, 1.3 and 3.0 % with 8, 10 and 12
- * % with the quasi-linear law (no elements). For a flat end the error is 0.01 % in all cases.
+ * force; each element separates from the tool independently. The slow force f_N of the elements
+ * approximates f by chords. The remainder f - f_N relaxes as one quasi-linear branch (QLV). The
+ * force F = Σ w_j q_j + (f - f_N) + QLV[f - f_N] is at least 0, and it is 0 when the first element
+ * separates. Loading is exact for any number of elements. On release the contact ends before the
+ * tool has left the dent, and the dent then recovers without contact. The three curves of a
+ * triangle share one memory, because q depends only on depth and time. The following errors are the
+ * largest over ramps, holds, releases, triangular and sinusoidal cycles, and random presses of
+ * three materials (P up to 4), as a fraction of the largest force, for a sphere and a cone: 0.40
+ * and 0.91 % with 16 elements, 1.3 and 3.0 % with 8, and 10 and 12 % with the quasi-linear law (no
+ * elements). For a flat end the error is 0.01 % in all cases.
  *
- * With an elastic compliance C in series, δ = δ_local + C F is solved, and the local part relaxes.
+ * With an elastic compliance C in series, the equation δ = δ_local + C F is solved, and only the
+ * local part relaxes.
  *
- * Sliding moves the tool to new material, which counts as newly pressed: the force rises. Over a
- * path of length s a fraction λ = 1 - e^(-s/2a) of the elements is exchanged (a: contact radius).
- * The work of the drag supplies the energy for this (SlidingDrag). Error compared with a half-space
- * of 3-D cells, for sphere and cone: -5.3 to 4.7 % of (1 + P) f.
+ * Sliding moves the tool to new material, which counts as newly pressed, so that the force
+ * increases. Over a path of length s a fraction λ = 1 - e^(-s/2a) of the elements is exchanged,
+ * where a is the contact radius. The work of the drag force supplies the energy for this
+ * (SlidingDrag). Compared with a half-space of 3-D cells, the error is -5.3 to 4.7 % of (1 + P) f
+ * for a sphere and a cone.
  *
- * Energy: for any increasing curve and any motion, elements and quasi-linear branches return no
- * more energy than was put in. If the strength differs from point to point, so does the stored
- * energy; strengthEnergies() returns the data for the resulting sideways force.
+ * Energy: for any increasing curve and any motion, elements and quasi-linear branches return at
+ * most the energy that was put in. If the strength differs from point to point, the stored energy
+ * also differs; strengthEnergies() returns the data for the resulting sideways force.
  *
- * Sources: Lee and Radok 1960; Ting 1966; Fung 1981. No function allocates or throws. One object is
- * one history.
+ * Sources: Lee and Radok 1960; Ting 1966; Fung 1981. No function allocates or throws. One object
+ * stores the history of one contact.
  */
 class PALPATE_EXPORT ContactRelaxation
 {
 public:
-  /// `body` must outlive this object; null: the body does not relax. `elements` <= 0: quasi-linear.
+  /// `body` must outlive this object; it is null if the body does not relax. If `elements` <= 0,
+  /// the quasi-linear law is used.
   ContactRelaxation(const BodyRelaxation* body, int elements) noexcept;
 
-  /// Selects whether the next tick adds memory, if the body relaxes. Without memory lift() and
-  /// slide() have no effect.
+  /// Selects whether the next tick includes the memory force, if the body relaxes. Without the
+  /// memory force, lift() and slide() have no effect.
   void setInTime(bool is) noexcept { this->IsInTime = is && this->Body; }
   bool isInTime() const noexcept { return this->IsInTime; }
-  /// Resets the memory: the next contact is assumed to have been at rest at the point where it is
+  /// Resets the memory. The next contact is assumed to have been at rest at the point where it is
   /// found.
   void reset() noexcept;
 
-  /// Adds to the time (s) that the next press() or lift() takes into account, also while the
-  /// position of the tip is unknown.
+  /// Adds `elapsed` (s) to the time that the next press() or lift() takes into account. Used also
+  /// while the position of the tip is unknown.
   void pass(double elapsed) noexcept { this->Elapsed += elapsed > 0.0 ? elapsed : 0.0; }
-  /// Performs a tick without contact.
+  /// Advances the relaxation by one tick without contact.
   void lift() noexcept;
   /// Ends the contact, but keeps the memory of the body.
   void lose() noexcept
@@ -137,7 +142,7 @@ public:
     this->Drag.reset();
   }
 
-  /// A contact: its triangle, area coordinates and deflection.
+  /// Position of a contact: its triangle, area coordinates and deflection.
   struct Place
   {
     TriangleCorners corners{};
@@ -150,78 +155,84 @@ public:
   {
     double total = 0.0;     ///< N
     double stiffness = 0.0; ///< d total/dδ in this tick, N/mm
-    bool isTouched = false; ///< false: the material is still dented below the tool
+    bool isTouched = false; ///< false while the material is still dented below the tool
   };
-  /// Performs a tick in contact; `slow` is the value of the response at the deflection of `place`.
+  /// Computes one tick in contact. `slow` is the value of the response at the deflection of
+  /// `place`.
   Force press(const Place& place, const ResponseValue& slow) noexcept;
 
-  /// Moves the tool along the surface; to be called after press(). Returns the sideways force on
+  /// Moves the tool along the surface. To be called after press(). Returns the sideways force on
   /// the tool, N.
   Vector3 slide(const Vector3& contactPoint, const Vector3& normal) noexcept
   {
     return this->IsInTime ? this->drag(contactPoint, normal) : Vector3(Vector3::Zero());
   }
 
-  /// The fraction (0 to 1) of the force at `depth` on the curve, with the memory of the last press
-  /// if there is any, that remains if the stiffness is limited to `maximumStiffness`, N/mm.
+  /// Returns the fraction (0 to 1) of the force at `depth` on the curve that remains if the
+  /// stiffness is limited to `maximumStiffness`, N/mm. The force includes the memory force of the
+  /// last press, if there is any.
   double cappedShare(
     const BlendedResponse& curve, double depth, double maximumStiffness) const noexcept;
 
-  /// Energy stored by the memory force in the last press, N mm.
+  /// Returns the energy stored by the memory force in the last press, N mm.
   double storedEnergy() const noexcept;
-  /// The energy that would be stored with the strengths of each corner, N mm.
+  /// Returns the energies that would be stored with the strengths of each of the three corners, N
+  /// mm.
   Vector3 strengthEnergies() const noexcept;
 
 private:
   Vector3 drag(const Vector3& contactPoint, const Vector3& normal) noexcept;
-  /// The part of the force of the last press that remains if the stiffness of the curve is capped.
-  /// `cappedSlow` (N) is the capped slow force, `maximumStiffness` (N/mm) the cap.
+  /// Returns the part of the force of the last press that remains if the stiffness of the curve is
+  /// limited, N. `cappedSlow` is the slow force with this limit, N. `maximumStiffness` is the
+  /// limit, N/mm.
   double cappedForce(double cappedSlow, double maximumStiffness) const noexcept;
-  /// Stiffness of the contact divided by the slow stiffness, for a loop that keeps the force
-  /// constant between two ticks.
+  /// Returns the stiffness of the contact divided by the slow stiffness, for a loop that keeps the
+  /// force constant between two ticks.
   double stiffening() const noexcept;
   void beginTick() noexcept;
-  /// Continues at another point; the tool was not in contact in between.
+  /// Moves the memory to another point, when the tool was not in contact between the last tick and
+  /// this one.
   void jumpTo(const Place& place) noexcept;
   void exchange(double share) noexcept;
   void pressElements(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
   void pressOne(const BlendedResponse& curve, const ResponseValue& slow) noexcept;
-  /// The local depth at which the sum of local depth and C F is the depth of the tip.
+  /// Returns the local depth d for which d + C F(d) is the depth of the tip, mm.
   double localDepth(const BlendedResponse& curve) const noexcept;
-  /// f - f_N of a curve.
+  /// Returns f - f_N of a curve, N.
   double restAt(const BlendedResponse& curve, double depth) const noexcept
   {
     return curve.evaluate(depth).force - this->Nodes.slowForce(this->Chords, depth);
   }
-  /// 1/K for the QuasiLinearElement, chosen so that squares of forces are energies.
+  /// Returns 1/K for the QuasiLinearElement, mm/N, chosen so that squared forces times 1/K are
+  /// energies.
   double secantCompliance() const noexcept;
 
   const BodyRelaxation* Body;
   ForceNodes Nodes;
-  bool IsOne; ///< quasi-linear: only one element
+  bool IsOne; ///< quasi-linear law: there is only one element
   bool IsInTime = false;
 
   double Elapsed = 0.0;
-  double StepTime = -1.0; ///< time step of Step, s
+  double StepTime = -1.0; ///< time step for which Step was computed, s
   RelaxationStep Step;
   RelaxationElements Elements;
-  QuasiLinearElement Rest; ///< the element of f - f_N
+  QuasiLinearElement Rest; ///< element for the remainder f - f_N
   QuasiLinearElement One;
-  double OneDepth = 0.0; ///< depth of the last press with the one element
+  double OneDepth = 0.0; ///< depth of the last press with the single element
   double OneSlow = 0.0;  ///< slow force at OneDepth
 
-  Place Last; ///< place of the last press
+  Place Last; ///< position of the last press
   bool HasBegun = false;
   bool WasTouched = false;
   double Compliance = 0.0; ///< elastic compliance in series, mm/N
-  double Depth = 0.0;      ///< local
+  double Depth = 0.0;      ///< local depth
   double Slow = 0.0;       ///< f at Depth
   double Stiffness = 0.0;  ///< df/dδ at Depth
   double LastRest = 0.0;   ///< f - f_N at Depth
   double RestMemory = 0.0; ///< memory force of f - f_N
   Force Now;
   ForceNodes::Chords Chords;
-  bool HasChords = false; ///< all chords are known, and are the same at all points
+  bool HasChords = false; ///< whether all chords are known and are the same at all points
   SlidingDrag Drag;
 };
 } // namespace palpate

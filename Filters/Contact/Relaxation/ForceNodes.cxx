@@ -22,8 +22,8 @@ ForceNodes::ForceNodes(const ResponseSampling& sampling, double range, int eleme
     Node& node = this->Nodes[j];
     if (at.lower < 0)
     {
-      // Below the first sample the curve is approximated by δ^m. The deviation is not part of the
-      // chords.
+      // Below the first sample the curve is approximated by δ^m. The chords do not include the
+      // difference.
       node.weights[0] = std::pow(this->Gaps[j] / sampling.depth(0, range), sampling.exponent());
       continue;
     }

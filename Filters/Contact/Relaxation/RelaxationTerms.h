@@ -6,19 +6,20 @@
 
 namespace palpate
 {
-/// Relaxation data of a body, in addition to the curves, which are the slow response. If the body
-/// does not relax, the series is empty. The views do not own their memory.
+/// Relaxation data of a body, in addition to the curves of the slow response. The series is empty
+/// if the body does not relax. The views do not own their memory.
 struct RelaxationTerms
 {
   PronySeries series;
-  /// p_i at each point, series.count values per point, used instead of those of the series; null:
-  /// the values of the series hold at all points.
+  /// p_i at each point, series.count values per point, used instead of the p_i of the series. Null
+  /// if those of the series apply to all points.
   const float* strength = nullptr;
   /// The part of the compliance of each point (mm/N, >= 0) that is in series and does not relax,
-  /// for example that of a beam of another material below; null: the whole compliance relaxes.
+  /// for example that of a beam of another material below. Null if the whole compliance relaxes.
   const float* elasticCompliance = nullptr;
-  /// m of F ∝ δ^m, and the contact radius at a depth of 1 mm, mm. The contact radius determines how
-  /// far a tool must move to reach new material. Radius 0: unknown; material never counts as new.
+  /// Exponent m of F ∝ δ^m, and the contact radius at a depth of 1 mm, mm. The contact radius
+  /// determines how far a tool must move to reach new material. If the radius is unknown (0),
+  /// material never counts as new.
   double exponent = 1.0;
   double radius = 0.0;
 

@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Response of a body to a tilted tool, for the servo tick: the table of the laws and the weights
-/// of each point. Immutable, safe from any number of threads.
+/// Response of a body to a tilted tool, for the servo tick: the table of the laws, and the weights
+/// of the laws at each point. Immutable; can be used from any number of threads.
 class BodyTilt
 {
 public:
@@ -27,14 +27,15 @@ public:
   }
 
   const TiltTable& table() const noexcept { return this->Table; }
-  /// The largest drop: depth of the tool's deepest point below its tip at the largest tilt, mm.
+  /// Returns the largest drop, that is, the depth of the tool's deepest point below its tip at the
+  /// largest tilt, mm.
   double largestDrop() const noexcept
   {
     return this->Table.deepest(this->Table.terms().largest).drop;
   }
   bool isPerPoint() const noexcept { return !this->Weight.empty(); }
 
-  /// The weights of a point.
+  /// Returns the weights of the laws at a point.
   Weights weights(std::int32_t point) const noexcept
   {
     Weights all{};
@@ -46,7 +47,7 @@ public:
     }
     return all;
   }
-  /// The weights at a point of a triangle, blended from its three corners.
+  /// Returns the weights of the laws at a point of a triangle, interpolated from its three corners.
   Weights weights(const TriangleCorners& points, const Vector3& areas) const noexcept
   {
     if (!this->isPerPoint())

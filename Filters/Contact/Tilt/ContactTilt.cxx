@@ -13,10 +13,11 @@ namespace palpate
 {
 namespace
 {
-/// Largest turn of a tool in one tick, rad. The drop of the followed point allows for such a turn.
+/// Largest rotation of a tool in one tick, rad. The distance of the followed point from the tip
+/// includes an allowance for this rotation.
 constexpr double MostTurn = 0.035;
-/// Below this angle (rad) the axis counts as parallel to the normal, because its direction across
-/// the normal is uncertain.
+/// Below this angle (rad) the axis counts as parallel to the normal, because the direction of the
+/// tilt is uncertain.
 constexpr double Upright = 1e-9;
 
 Vector3 sumOfNormals(
@@ -30,7 +31,7 @@ Vector3 sumOfNormals(
   return sum;
 }
 
-/// Angle between two unit vectors, exact for small angles too.
+/// Returns the angle between two unit vectors; exact also for small angles.
 double angleBetween(const Vector3& a, const Vector3& b) noexcept
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -70,7 +71,8 @@ double ContactTilt::leanAt(
   if (!(this->NormalLength > 0.0))
   {
     this->NormalLength = 1.0;
-    this->Normal = this->Axis; // the sum of opposite normals is zero: the tool counts as upright
+    // The sum of opposite normals is zero: the tool is treated as upright.
+    this->Normal = this->Axis;
   }
   else
   {
@@ -84,7 +86,8 @@ double ContactTilt::leanAt(
 void ContactTilt::changeGradients(Eigen::Matrix3d& weightGradients, const TriangleCorners& corners,
   const ResponseField& response) const noexcept
 {
-  // The followed point is p = tip - e n(p): a step of the tip is (1 + e dn/dp) times a step of p.
+  // The followed point is p = tip - e n(p). Therefore a displacement of the tip is (1 + e dn/dp)
+  // times a displacement of p.
   Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -153,7 +156,8 @@ void ContactTilt::addMoment(double byTilt, const TriangleCorners& corners,
   {
     return;
   }
-  const double moment = result.normalForce * this->Deepest.offset + byTilt; // M
+  // Moment M about the tip, N mm.
+  const double moment = result.normalForce * this->Deepest.offset + byTilt;
   result.torque = moment / sine * this->Axis.cross(this->Normal);
   if (!weightGradients)
   {

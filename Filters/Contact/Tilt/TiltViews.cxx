@@ -18,7 +18,7 @@ std::string faultOfTiltViews(const TiltViews& views, std::size_t points)
   {
     return joined("there are ", views.terms.laws, " laws of tilts, but no weights of the points");
   }
-  constexpr double rounding = 1e-4; // rounding of floats
+  constexpr double rounding = 1e-4; // tolerance for the rounding of floats
   const auto laws = static_cast<std::size_t>(views.terms.laws);
   for (std::size_t i = 0; i < points; ++i)
   {

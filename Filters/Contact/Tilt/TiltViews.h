@@ -10,21 +10,22 @@
 
 namespace palpate
 {
-/// Tilt data of a body, in addition to the curves of the upright tool. A tool that cannot be tilted
-/// has no laws. The views do not own their memory.
+/// Tilt data of a body, in addition to the curves of the upright tool. If the tool cannot be
+/// tilted, there are no laws. The views do not own their memory.
 struct TiltViews
 {
   TiltTerms terms;
-  const double* drops = nullptr; ///< see TiltTable
+  const double* drops = nullptr; ///< drops of the tool; see TiltTable
   const double* nodes = nullptr;
-  /// Weights of the table's laws at each point, with the sum 1; null: there is one law.
+  /// Weights of the table's laws at each point; the sum of the weights is 1. Null if there is only
+  /// one law.
   const float* weight = nullptr;
 
   bool areFelt() const noexcept { return this->terms.areFelt(); }
 };
 
 /// Checks the views for a body with `points` points. Returns "" if they are valid, else a message
-/// that names the fault and the number.
+/// with the fault and the value.
 PALPATE_EXPORT std::string faultOfTiltViews(const TiltViews& views, std::size_t points);
 } // namespace palpate
 

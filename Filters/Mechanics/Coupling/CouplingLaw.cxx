@@ -12,10 +12,10 @@ namespace palpate
 namespace
 {
 /// Number of angles of the midpoint rule for ∫_0^{π/2} M(x sin φ) dφ. For this periodic function
-/// the error is e^(-8/x) to the power of that number. It is negligible at x = 40.
+/// the error is (e^(-8/x))^Angles, which is negligible at x = 40.
 constexpr int Angles = 512;
 
-/// Returns g at x of either sign (M is even).
+/// Returns g at x, which may be negative (M is even).
 double shareOf(const LayerKernel& kernel, double x)
 {
   double sum = 0.0;
@@ -26,8 +26,8 @@ double shareOf(const LayerKernel& kernel, double x)
   return 1.0 + x * sum / Angles;
 }
 
-/// dg/dx by differences of fourth order. The error is 1e-9 for a function that varies over lengths
-/// of 1.
+/// Returns dg/dx by fourth-order differences. The error is 1e-9 for a function that varies over
+/// lengths of 1.
 double slopeOf(const LayerKernel& kernel, double x)
 {
   constexpr double step = 0.01;
@@ -36,8 +36,8 @@ double slopeOf(const LayerKernel& kernel, double x)
   return (8.0 * difference(step) - difference(2.0 * step)) / (12.0 * step);
 }
 
-/// K/(2E*h) of a flat end of radius a on the layer. It is the same for any tool with this contact
-/// radius.
+/// Returns K/(2E*h) of a flat end of radius a on the layer. It is the same for any tool with the
+/// contact radius a.
 double stiffnessOf(const LayerKernel& kernel, double ratio)
 {
   return ratio * (LayerKernel::weights() * kernel.at(ratio).flat).sum();

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// A knot of the law of a layer, at x/(1 + x) = k / CouplingLaw::Places.
+/// A knot of the coupling law of a layer, at x/(1 + x) = k / CouplingLaw::Places with the index k.
 struct CouplingKnot
 {
   double share = 1.0; ///< g at x = r/h
@@ -18,17 +18,17 @@ struct CouplingKnot
 };
 
 /**
- * The compliance of a body at one point of its surface under a force at another point at a distance
- * r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). In Fourier space the displacement of
- * the surface of a layer of thickness h is W(kh) times that of a half-space (LayerKernel).
- * Therefore
+ * The compliance of a body at one point of its surface under a force at another point, at a
+ * distance r: C(r) = g / (πE* r). On a half-space g = 1 (Boussinesq). In Fourier space the
+ * displacement of the surface of a layer of thickness h is W(kh) times that of a half-space
+ * (LayerKernel). Therefore
  *   g(x) = 1 + x ∫_0^∞ (W(ω) - 1) J₀(ωx) dω = 1 + (2x/π) ∫_0^{π/2} M(x sin φ) dφ, x = r/h.
- * On a rigid base g is negative beyond about one thickness, where the surface bulges, and decays to
- * 0 at a slightly larger distance.
+ * If the base is rigid, g is negative beyond about one thickness, where the surface bulges, and
+ * decays to 0 at a slightly larger distance.
  *
  * g is stored as cubic polynomials between 79 knots, with an error of 2e-6; for x > 39 it is
  * constant. The law also gives the contact radius a for a stiffness K, for any tool whose pressure
- * vanishes at the rim. On a half-space K = 2E* a. Immutable and safe to use from any number of
+ * vanishes at the rim. On a half-space K = 2E* a. Immutable; can be used from any number of
  * threads.
  */
 class PALPATE_EXPORT CouplingLaw
@@ -37,11 +37,13 @@ public:
   static constexpr int KnotCount = 79;
   static constexpr double Places = 80.0;
 
-  /// The law of a half-space.
+  /// Creates the law of a half-space.
   CouplingLaw() = default;
-  /// The law of a layer or of a stack; h and E* are those of the top layer. Takes about 10 ms.
+  /// Creates the law of a layer or of a stack; h and E* are those of the top layer. Takes about 10
+  /// ms.
   explicit CouplingLaw(const LayerKernel& kernel);
-  /// A law from the KnotCount knots of another law. If there are no knots, the law of a half-space.
+  /// Creates a law from the KnotCount knots of another law, or the law of a half-space if there are
+  /// no knots.
   explicit CouplingLaw(std::vector<CouplingKnot> knots)
     : Knots(std::move(knots))
   {
@@ -50,7 +52,7 @@ public:
   bool isLayered() const noexcept { return !this->Knots.empty(); }
   const std::vector<CouplingKnot>& knots() const noexcept { return this->Knots; }
 
-  /// g and its derivative with respect to x = r/h >= 0.
+  /// g and its derivative with respect to x = r/h, x >= 0.
   struct Share
   {
     double value;

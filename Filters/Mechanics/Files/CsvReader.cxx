@@ -88,7 +88,7 @@ bool CsvReader::columns(std::vector<std::string_view> names, std::size_t require
   this->Names = std::move(names);
   this->Place.assign(this->Names.size(), Absent);
   this->FieldCount = this->size();
-  // The rows of a table are counted from the row after the names.
+  // Rows of a table are counted from the row after the column names.
   this->Begin = this->Stream ? this->Begin : 0;
   for (std::size_t i = 0; i < this->Names.size(); ++i)
   {
@@ -145,7 +145,8 @@ double CsvReader::number(std::size_t column)
   return value;
 }
 
-/// Reads a number with a decimal point, or with a decimal comma if commas do not separate fields.
+/// Reads a number with a decimal point. A decimal comma is also read if commas do not separate the
+/// fields.
 bool CsvReader::readDecimals(std::string_view text, double& value)
 {
   const std::size_t mark = text.find_first_of(this->Separator == ',' ? "." : ".,");
@@ -257,7 +258,7 @@ bool CsvReader::split()
     {
       this->Fields.emplace_back();
     }
-    // The memory of the field is used again for the next record.
+    // The memory of the field is reused for the next record.
     std::string& field = this->Fields[count++];
     field.clear();
     at = skipBlanks(at);

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// One record of comma-separated values for writing. CsvReader reads the numbers back bit for bit.
-/// Texts are quoted if necessary.
+/// Writes one record of comma-separated values. CsvReader reads the numbers back bit for bit. Texts
+/// are quoted if necessary.
 class CsvRow
 {
 public:
@@ -32,7 +32,7 @@ public:
     }
     return this->put(quoted + '"');
   }
-  /// The record with its end of line.
+  /// Returns the record with its line break.
   std::string line() const { return this->Fields + '\n'; }
 
 private:

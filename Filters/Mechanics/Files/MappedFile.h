@@ -11,7 +11,7 @@ namespace palpate
 {
 /// A file that is mapped into memory for reading. Pages are loaded on access and shared with other
 /// processes that map the file. If the file is truncated while it is mapped, a read beyond its end
-/// stops the program (SIGBUS). Therefore files must be replaced by means of WholeFile.
+/// aborts the program (SIGBUS). Therefore files must be replaced with WholeFile.
 class PALPATE_EXPORT MappedFile
 {
 public:
@@ -20,8 +20,8 @@ public:
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  /// Opens and maps a file. Returns "", or "cannot open 'PATH': " or "cannot map 'PATH': " with the
-  /// system's reason. An empty file, a folder or a pipe has no bytes.
+  /// Opens and maps a file. Returns "" on success, else "cannot open 'PATH': " or "cannot map
+  /// 'PATH': " with the system's reason. An empty file, a folder or a pipe results in size 0.
   std::string open(const std::string& path);
   void close() noexcept;
 

@@ -12,8 +12,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the file names of a module: with the version, which programs that link the module
-/// require, and without.
+/// Returns the two file names of a module: with the version, as required by programs that link the
+/// module, and without the version.
 std::array<std::string, 2> namesOf(const std::string& module)
 {
   const std::string name = "lib" + module + ".so";

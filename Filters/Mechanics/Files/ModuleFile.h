@@ -10,7 +10,8 @@ namespace palpate
 {
 /**
  * The table of functions of a module. A module is a library that the core does not link, because
- * most scenes do not need it. Its table is derived from this struct. A module defines
+ * most scenes do not need it. The table type of each module is derived from this struct. A module
+ * NAME defines
  *   extern "C" const ModuleTable* NAMEModule();
  */
 struct ModuleTable
@@ -27,14 +28,14 @@ struct LoadedModule
 
 /**
  * Loads lib`name`.so, with or without the version appended. The function searches the folder of
- * Palpate's libraries first, then the system's search path for libraries. It rejects a file without
- * the function `name`Module, and a module of another version. A module remains loaded. Any thread
- * may call this function, but not the servo tick.
+ * Palpate's libraries first, then the system's library search path. It rejects a file without the
+ * function `name`Module, and a module of another version. A module remains loaded. Any thread
+ * except the servo thread may call this function.
  */
 PALPATE_EXPORT LoadedModule loadModule(const std::string& name);
 
-/// Returns the end of a sentence "… needs ": the name of the module, the fault of loadModule, and
-/// the command that builds the module.
+/// Returns the continuation of a sentence "… needs ": the name of the module, the fault of
+/// loadModule, and the command that builds the module.
 PALPATE_EXPORT std::string missingModule(const std::string& name, const std::string& fault);
 } // namespace palpate
 

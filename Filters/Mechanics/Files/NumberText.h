@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Reads the whole text as one finite number. Returns false if it is not one; `value` is then
-/// undefined.
+/// Reads the whole text as one finite number. Returns false if it is not a finite number; `value`
+/// is then undefined.
 template <class Number>
 bool readNumber(std::string_view text, Number& value)
 {
@@ -43,7 +43,8 @@ inline std::string shortly(double value)
   return buffer;
 }
 
-/// Returns a fraction as a percentage with two digits, "1.3 %", or without decimals from 99.5 %.
+/// Returns a fraction as a percentage with two digits, for example "1.3 %"; from 99.5 % without
+/// decimals.
 inline std::string inPercent(double fraction)
 {
   char buffer[32];

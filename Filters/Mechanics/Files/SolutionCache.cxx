@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns the folder of the cache; "" if nothing is cached.
+/// Returns the folder of the cache; "" if the cache is off.
 std::filesystem::path folder()
 {
   const auto variable = [](const char* name) { return std::getenv(name); };
@@ -42,7 +42,7 @@ std::filesystem::path fileOf(const std::string& kind, const std::string& key)
 }
 } // namespace
 
-/// The FNV-1a hash. Equal hashes do no harm, because a file of the cache also contains the key.
+/// The FNV-1a hash. Collisions do no harm, because a file of the cache also contains the key.
 std::string digest(std::string_view text)
 {
   std::uint64_t hash = 14695981039346656037U;
@@ -96,6 +96,6 @@ void writeSolution(
   {
     file.write(shortestDecimals(value) + "\n");
   }
-  file.finish(); // if this fails, the next run solves again
+  file.finish(); // if this fails, the next run solves the problem again
 }
 } // namespace palpate

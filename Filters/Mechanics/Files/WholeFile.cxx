@@ -28,8 +28,8 @@ std::string errorText(const std::string& path, int reason)
   return "cannot write '" + path + "': " + std::strerror(reason);
 }
 
-/// Returns the path of a file with links resolved. Returns "" if the path exists but is not a file,
-/// or if the file no longer has a name.
+/// Returns the path of a file with symbolic links resolved. Returns "" if the path exists but is
+/// not a file, or if the file no longer has a name.
 std::string targetOf(const std::string& path)
 {
   std::error_code failed;
@@ -113,7 +113,7 @@ std::string WholeFile::open()
   {
     return problem;
   }
-  // The user may be allowed to write to a terminal or a pipe, but not to read from it.
+  // The user may have permission to write to a terminal or a pipe, but not to read from it.
   const int access = this->isFile() ? O_RDWR | O_CREAT : O_WRONLY;
   this->File = ::open(this->Unfinished.c_str(), access | O_TRUNC | O_CLOEXEC, UsualMode);
   return this->File >= 0 ? std::string() : this->error(errno);

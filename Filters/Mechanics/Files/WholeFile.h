@@ -12,17 +12,17 @@ namespace palpate
 {
 /**
  * A file that is written completely or not at all. The data are written to PATH.part in the same
- * folder. This file replaces an old file as soon as all data are on the disk. Until then, and after
- * any failure, the old file is unchanged. Links are followed. A terminal, a pipe or /dev/null is
- * written directly.
+ * folder. This file replaces an existing file once all data are on the disk. Until then, and after
+ * any failure, the existing file is unchanged. Symbolic links are followed. A terminal, a pipe or
+ * /dev/null is written to directly.
  *
- * Errors have the form "cannot write 'PATH': " with the system's reason.
+ * Error messages have the form "cannot write 'PATH': " with the system's reason.
  */
 class PALPATE_EXPORT WholeFile
 {
 public:
   /// Returns the reason why a file cannot be written: its folder is missing or not writable, or the
-  /// path is a folder. Returns "" if the file can be written. Changes nothing.
+  /// path is a folder. Returns "" if the file can be written. Does not change anything.
   static std::string obstacle(const std::string& path);
 
   explicit WholeFile(std::string path);
@@ -31,20 +31,22 @@ public:
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Opens the file. Returns an error, or "".
+  /// Opens the file. Returns an error message, or "" on success.
   std::string open();
-  /// Adds bytes. Does nothing after a failure, which finish() reports.
+  /// Appends bytes. After a failure, which finish() reports, this function does nothing.
   void write(const void* bytes, std::size_t size) noexcept;
   void write(std::string_view text) noexcept { this->write(text.data(), text.size()); }
-  /// Writes all data to the disk, then renames the file. Returns an error, or "".
+  /// Writes all data to the disk, then renames the file. Returns an error message, or "" on
+  /// success.
   std::string finish();
-  /// After an error of finish(): keeps the unfinished file up to its last complete line if it has
-  /// at least `least` lines. Returns the number of lines kept, 0 if none.
+  /// To be called after an error of finish(). Keeps the unfinished file up to its last complete
+  /// line if it has at least `least` lines. Returns the number of lines kept; 0 if the file was not
+  /// kept.
   std::size_t keepLines(std::size_t least);
 
   /// The path of the unfinished file, for writers that open a file by its name.
   const std::string& unfinished() const { return this->Unfinished; }
-  /// Whether PATH is or will be a regular file, which is not written to directly.
+  /// Returns whether PATH is or will be a regular file. Other files are written to directly.
   bool isFile() const { return this->Unfinished != this->Path; }
 
 private:

@@ -18,22 +18,22 @@ constexpr std::size_t Ratios = 7;
 constexpr std::size_t Roots = 8;
 using HalfSpaceTable = double[Ratios][Roots];
 
-// Written by Testing/Studies/finite_strain/tables.cxx.
+// The tables are written by Testing/Studies/finite_strain/tables.cxx.
 #include "Mechanics/FiniteStrain/NeoHookeTables.inc"
 
-constexpr double SphereDeepest = 1.0; // largest depth, in radii
-constexpr double FlatDeepest = 1.3;   // largest depth, in radii
-constexpr double LayerDeepest = 0.5;  // largest depth, in thicknesses
+constexpr double SphereDeepest = 1.0; // largest depth, in sphere radii
+constexpr double FlatDeepest = 1.3;   // largest depth, in radii of the flat end
+constexpr double LayerDeepest = 0.5;  // largest depth, in layer thicknesses
 // Largest depth relative to the thinnest layer. Beyond the end of the table c is extrapolated
-// (StrainTable.h) and its error grows.
+// (StrainTable.h) and its error increases.
 constexpr double LayerLimit = 0.7;
-// A table is used up to this multiple of its largest depth, with a growing error.
+// A table is used up to this multiple of its largest depth, with an increasing error.
 constexpr double HalfSpaceExtension = 1.8;
 constexpr double LayerExtension = 2.25;
-constexpr double TableError = 0.003; // caused by mesh, far field and interpolation
-// Error for a flat end with a sharp rim, because the rim is rounded in the table.
+constexpr double TableError = 0.003; // error due to the mesh, the far field and the interpolation
+// Error for a flat end with a sharp rim. The rim is rounded in the table.
 constexpr double FlatError = 0.015;
-// Difference from the result of another program for a sharp rim.
+// Difference from the result of another program, for a sharp rim on a layer.
 constexpr double FlatLayerError = 0.022;
 constexpr double ConeError = 0.005;
 
@@ -57,7 +57,7 @@ std::vector<double> flattened(const HalfSpaceTable& table)
   return values;
 }
 
-/// Makes the table for layers with the thicknesses `heights`, in radii.
+/// Creates the table for layers with the thicknesses `heights`, in tool radii.
 template <std::size_t Heights>
 std::unique_ptr<StrainTable> layerTable(const double (&heights)[Heights],
   const HalfSpaceTable (&tables)[Heights], double radius, const StrainReach& reach, double error)
@@ -85,7 +85,8 @@ bool isTool(const AxisymmetricTool& tool, ToolShape shape, ToolSpecification& fo
   return parseTool(tool.specification(), found, fault) && found.Shape == shape;
 }
 
-/// Interpolates linearly over cot α between the angles. The pressure is proportional to cot α.
+/// Interpolates linearly over cot α between the half angles α of the table, because the pressure is
+/// proportional to cot α.
 std::vector<double> coneFactors(double halfAngle)
 {
   const auto slope = [](double degrees)

@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the value at `ratio` of the quadratic through values at ν = 0.3, 0.45 and 0.495;
-/// constant below and above.
+/// Returns the value at `ratio` of the quadratic through the values at ν = 0.3, 0.45 and 0.495. It
+/// is constant below 0.3 and above 0.495.
 double overRatio(const std::array<double, 3>& value, double ratio)
 {
   constexpr std::array<double, 3> node = { 0.3, 0.45, 0.495 };
@@ -33,8 +33,8 @@ double smallStrainError(
   const double n = (1.0 - 2.0 * poissonRatio) / (1.0 - poissonRatio);
   if (!(depthOverThickness > 0.0))
   {
-    // The residual of the estimate is of second order: 0.009 at s = 0.3, 0.033 at 0.55. For ν below
-    // 0.3 the slope is that of the sphere's table at ν = 0.
+    // The residual of the estimate is of second order: 0.009 at s = 0.3, and 0.033 at 0.55. For ν
+    // below 0.3 the slope is that of the sphere's table at ν = 0.
     constexpr double atLeast = 4.0 / 7.0;
     const double slope = -0.148 + 0.61 * n + 0.8 * std::max(0.0, n - atLeast);
     return std::abs(slope) * pressure +

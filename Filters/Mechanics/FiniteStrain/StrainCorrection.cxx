@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns the Neo-Hooke table for layers; null outside its range.
+/// Returns the Neo-Hooke table for layers; null if the layers are outside its range.
 std::unique_ptr<StrainTable> layersTable(
   const AxisymmetricTool& tool, const StrainBodies& bodies, double deepest)
 {
@@ -39,7 +39,7 @@ std::string checkBonds(const LayerStack& stack)
     : "";
 }
 
-/// Makes a table with the solver. Returns a fault if the module of the solver is missing.
+/// Computes a table with the solver. Returns a fault if the module of the solver is missing.
 std::string solve(StrainModule::Solver StrainModule::*where, const SolvedStrain& asked,
   const std::function<bool(double)>& goOn, std::unique_ptr<StrainTable>& table)
 {

@@ -8,13 +8,13 @@
 
 namespace palpate
 {
-/// Models of the stress of a soft body as a function of strain.
+/// Models of a soft body: the strain energy as a function of the strain.
 enum class StrainModel
 {
   Linear,   ///< small strain
   NeoHooke, ///< W = μ/2 (Ī₁-3)
-  /// One term: W = 2μ/α² (Σ λ̄^α - 3). α = 2 is Neo-Hooke. Large α > 0 stiffens in tension, α < 0 in
-  /// compression.
+  /// One term of Ogden: W = 2μ/α² (Σ λ̄^α - 3). α = 2 is Neo-Hooke. A large α > 0 stiffens the body
+  /// in tension, α < 0 in compression.
   Ogden,
   Demiray ///< W = μ/2b (exp(b (Ī₁-3)) - 1), as for skin and arteries
 };
@@ -30,14 +30,15 @@ struct StrainLaw
   double parameter = 0.0;
 };
 
-/// Returns the law of a model that is given by its number, with the parameter of that model.
+/// Returns the strain law of the model with the index `model`, with the parameter of that model.
 inline StrainLaw strainLawOf(int model, double ogden, double demiray)
 {
   const auto law = static_cast<StrainModel>(model);
   return { law, law == StrainModel::Ogden ? ogden : demiray };
 }
 
-/// "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small strain" for Linear.
+/// Returns a description: "finite strain (Neo-Hooke)", "finite strain (Ogden, alpha = 9)"; "small
+/// strain" for Linear.
 PALPATE_EXPORT std::string describe(const StrainLaw& law);
 } // namespace palpate
 

@@ -23,13 +23,14 @@ struct SolvedStrain
   std::size_t threads; ///< number of threads of the solver
 };
 
-/// The largest Poisson's ratio that is solved, and the change of c from that ratio to 0.5 at δ = R.
+/// The largest Poisson's ratio for which the solver is used, and the change of c from that ratio to
+/// 0.5 at δ = R.
 constexpr double LargestSolvedRatio = 0.495;
 constexpr double BeyondSolvedRatio = 0.006;
 
 /**
- * Functions that libpalpateStrain.so (room Strain) adds: tables made by the solver.
- * StrainCorrection.h calls them if no stored table covers the case. They return null if
+ * Functions that libpalpateStrain.so (folder Strain) provides: tables computed by the solver.
+ * StrainCorrection calls them if no stored table covers the case. They return null if
  * `goOn(fraction)` returned false.
  */
 struct StrainModule : ModuleTable

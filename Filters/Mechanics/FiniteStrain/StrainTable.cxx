@@ -11,11 +11,12 @@ namespace palpate
 namespace
 {
 constexpr std::size_t MostNodes = 4;
-// Fraction of the last root over which c is extrapolated linearly. Therefore the slope of a curve
-// that ends with the table does not depend on which nodes near the end are evaluated.
+// Fraction of the last root over which c is extrapolated linearly. With this extrapolation the
+// slope of a curve that ends with the table does not depend on which nodes near the end are
+// evaluated.
 constexpr double LinearFraction = 0.25;
 
-/// Weights of the nodes around a position, from Lagrange's polynomials.
+/// The nodes around a position, and their weights from Lagrange's polynomials.
 struct Weights
 {
   std::size_t begin = 0;
@@ -24,7 +25,8 @@ struct Weights
   std::array<double, MostNodes> slope{};
 };
 
-/// Returns the weights of the nodes at `x`. `node(i)` ascend; `x` is clamped to their range.
+/// Returns the weights of the nodes at `x`. `node(i)` must be ascending; `x` is clamped to the
+/// range of the nodes.
 template <class Node>
 Weights weightsAt(std::size_t nodes, const Node& node, double x)
 {
@@ -102,8 +104,8 @@ StrainTable::Course StrainTable::course(double poissonRatio, double thickness, d
                      : weightsAt(
                          asked, [&](std::size_t i) { return std::log(nodes[i]); }, std::log(value));
   };
-  // If a row of the thickest layer ends early, that layer is not used for thicknesses between
-  // thinner layers.
+  // If a row of the thickest layer ends early, the thickest layer is not used for thicknesses
+  // between thinner layers.
   const std::size_t all = axes.thicknesses.size();
   const bool isBetween = this->ThickestEnds && all > 2 && thickness <= axes.thicknesses[all - 2];
   const Weights ratio = weightsAt(
@@ -124,7 +126,7 @@ StrainTable::Course StrainTable::course(double poissonRatio, double thickness, d
     const double weight = ratio.value[i] * height.value[j] * lower.value[l];
     if (weight == 0.0)
     {
-      continue; // this row has no effect, even if it ends early
+      continue; // the weight of this row is 0, so that its end does not matter
     }
     const std::size_t row =
       ((ratio.begin + i) * heights + height.begin + j) * lowers + lower.begin + l;
@@ -144,7 +146,7 @@ StrainFactor StrainTable::Course::at(double depth) const
   const std::vector<double>& roots = this->Table->Given.roots;
   const double known = this->Known;
   const double root = std::sqrt(std::max(depth, 0.0) / this->Deepest);
-  // There is one node more than roots: the node at depth 0.
+  // There is one more node than roots: the node at depth 0.
   const Weights place = weightsAt(
     roots.size() + 1, [&](std::size_t i) { return i == 0 ? 0.0 : roots[i - 1]; }, root);
   StrainFactor found{ 0.0, 0.0, this->Table->Error };
@@ -157,15 +159,15 @@ StrainFactor StrainTable::Course::at(double depth) const
   const bool beyond = root > known;
   const double further = known < roots.back() ? 0.0 : std::max(0.0, root - known);
   const double straight = std::min(further, LinearFraction * known);
-  const double slope = found.slope; // derivative with respect to the root
+  const double slope = found.slope; // with respect to the root
   found.factor += slope * straight;
   const bool moves =
     depth > 0.0 && (!beyond || (further > 0.0 && further < LinearFraction * known));
   found.slope = moves ? slope * 0.5 * root / depth : 0.0;
   if (beyond && !this->Table->Constant)
   {
-    // Beyond the end the error grows: c may change as much as it changed over the same distance
-    // before the end, and its slope by half.
+    // Beyond the end the error increases: c may change as much as it changed over the same distance
+    // before the end, and its slope may change by half.
     const double asBefore =
       std::max(std::abs(found.factor - 1.0), this->Table->Error) * (root / known - 1.0);
     const double bent = std::abs(slope) * (0.5 * straight + (further - straight));

@@ -15,14 +15,17 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int PiecesPerSmooth = 24; // biarcs of a smooth part; the error is 1e-6 of its size
-// The outline is straight beyond this slope; no contact is steeper.
+// Number of biarcs for a smooth part; the error is 1e-6 of the size of the part.
+constexpr int PiecesPerSmooth = 24;
+// The outline is straight where the profile is steeper than this slope, because no contact is
+// steeper.
 constexpr double SteepestSlope = 6.0;
-// radians; smaller angles are those of a sampled curve, not corners
+// Radians. Smaller angles occur between the points of a sampled curve and do not count as corners.
 constexpr double CornerAngle = 0.02;
 // Largest fraction of a part that the fillet at either end may replace.
 constexpr double LargestCut = 0.35;
-// Step of differences as a fraction of a part's length, suitable for profiles with six digits.
+// Step for finite differences as a fraction of a part's length; suitable for profiles with six
+// digits.
 constexpr double TangentStep = 1e-6;
 
 double cross(const Vector2d& a, const Vector2d& b)
@@ -30,7 +33,7 @@ double cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Returns the direction rotated by 90° to the left, which is into the tool.
+/// Returns the direction rotated by 90° to the left, which points into the tool.
 Vector2d leftOf(const Vector2d& direction)
 {
   return { -direction.y(), direction.x() };
@@ -60,7 +63,8 @@ public:
 
   double from() const { return this->From; }
   double length() const { return this->To - this->From; }
-  /// Radius at which the part becomes too steep, like the sides of a sphere, or at which it ends.
+  /// Returns the radius at which the part becomes too steep, like the side of a sphere, or at which
+  /// it ends.
   double end() const { return this->End; }
   bool isSteep() const { return this->End < this->To; }
 
@@ -72,7 +76,7 @@ public:
 private:
   bool isSteepAt(double r) const { return this->slopeAt(r) > SteepestSlope; }
 
-  /// Slope by differences of second order within the part, one-sided at its ends.
+  /// Returns the slope by second-order differences within the part, one-sided at its ends.
   double slopeAt(double r) const
   {
     const double step = TangentStep * (this->To - this->From);
@@ -128,7 +132,7 @@ ToolOutline::Node ToolOutline::addCorner(
     return isApex ? first : last;
   }
   const double longest = LargestCut * part.length();
-  if (isApex) // the fillet is the sphere that is tangent to the flank
+  if (isApex) // the fillet of an apex is the sphere that is tangent to the flank
   {
     const double r = std::min(fillet * std::sin(turn), longest);
     Node flank = part.at(part.from() + r);
@@ -158,7 +162,8 @@ ToolOutline::Node ToolOutline::addPart(const Part& part, const Node& last)
   };
   if (isStraight)
   {
-    goTo(start + (1.0 - LargestCut) * (part.end() - start)); // the next corner may replace the rest
+    // The fillet of the next corner may replace the rest.
+    goTo(start + (1.0 - LargestCut) * (part.end() - start));
     goTo(part.end());
     return from;
   }
@@ -201,12 +206,12 @@ void ToolOutline::addFillet(const Node& before, const Node& after)
   this->join(before, after);
 }
 
-/// Adds a biarc: two arcs with a common tangent at the point where they meet.
+/// Adds a biarc: two arcs with a common tangent at their common point.
 void ToolOutline::join(const Node& from, const Node& to)
 {
   const Vector2d v = to.point - from.point;
   const Vector2d t = from.direction + to.direction;
-  // Both tangent lengths are d: |v - d t|² = 4d² [Bolton 1975].
+  // Both tangents have the length d: |v - d t|² = 4d² [Bolton 1975].
   const double a = 2.0 * (1.0 - from.direction.dot(to.direction));
   const double b = v.dot(t);
   const double c = v.squaredNorm();

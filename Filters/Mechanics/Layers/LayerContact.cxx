@@ -26,8 +26,8 @@ LayerContact::LayerContact(
   const double answered = LayerKernel::LargestRatio * thickness;
   const double wall = tool.largestContactRadius();
   this->LargestRadius = std::min(wall, answered);
-  // At the wall itself g may be infinite. Therefore the largest depth is that of a slightly smaller
-  // radius.
+  // At the wall itself g may be infinite. Therefore the largest depth is evaluated at a slightly
+  // smaller radius.
   this->LargestDepth = wall <= this->SmallestRadius ? 0.0
     : wall <= answered ? this->contactAt(std::nextafter(wall, 0.0)).depth
                        : this->contactAt(answered).depth;
@@ -65,7 +65,7 @@ LayerContact::Contact LayerContact::contactAt(double a) const
     profile };
 }
 
-/// Returns the contact radius for δ > 0; NaN beyond the validity.
+/// Returns the contact radius for δ > 0; NaN beyond the validity of the law.
 double LayerContact::solveRadius(double deflection, Contact& contact) const
 {
   if (deflection >= this->LargestDepth)

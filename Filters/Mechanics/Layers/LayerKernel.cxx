@@ -20,13 +20,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at this ω
+constexpr double LargestOmega = 20.0; // e^(-2ω) is below 1e-17 at the largest ω
 constexpr int OmegaPanels = 20;
-// Least ω for a stack, in which deep layers have an effect at small ω.
+// Smallest ω for a stack, in which deep layers have an effect at small ω.
 constexpr double LeastOmega = 1.0 / 4096;
 
 // Ranges of a/h. In each range a polynomial of degree 15 through Chebyshev points approximates the
-// solution to 1e-10, even for a nearly incompressible layer.
+// solution with an error of 1e-10, even for a nearly incompressible layer.
 constexpr std::array<double, 9> RatioEnds = { 0.0, 0.25, 0.6, 1.1, 1.8, 2.8, 4.3, 6.5,
   LayerKernel::LargestRatio };
 constexpr int RatioPoints = 16;
@@ -55,7 +55,7 @@ Transform transformAt(double omega, double nu, LayerBase base)
     -e * ((1.0 - 2.0 * nu) * ((1.0 + k) * (1.0 + k) + w2) + w2) / (2.0 * (1.0 - nu) * d) };
 }
 
-/// The transform at the nodes of a rule that resolves sin ωs for s up to 4 LargestRatio.
+/// The transforms at the nodes of a rule that resolves sin ωs for s up to 4 LargestRatio.
 struct SampledTransform
 {
   std::vector<double> omega;
@@ -168,8 +168,8 @@ std::shared_ptr<const LayerKernel> LayerKernel::shared(double poissonRatio, Laye
 template <class SampledTransform>
 void LayerKernel::tabulate(const SampledTransform& transform)
 {
-  // M and L are analytic within |Im s| < 2. Therefore the pieces have length 1. M and L decrease
-  // only as 1/s² and 1/s, and LayerSurface needs them up to this end.
+  // M and L are analytic within |Im s| < 2, so that the pieces have length 1. M and L decrease only
+  // as 1/s² and 1/s, and LayerSurface needs them up to this end.
   const double end = 4.0 * LargestRatio;
   this->Normal = { end, static_cast<int>(end), [&](double s) { return transform.cosine(s); } };
   this->Radial = { end, static_cast<int>(end), [&](double s) { return transform.sine(s); } };

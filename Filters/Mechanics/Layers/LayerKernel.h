@@ -14,11 +14,11 @@ namespace palpate
 {
 struct LayerStack;
 
-/// The contact of a layer with its rigid base.
+/// The boundary condition between a layer and its rigid base.
 enum class LayerBase
 {
-  Bonded, ///< no displacement
-  Slip    ///< no normal displacement, no friction
+  Bonded, ///< no displacement at the base
+  Slip    ///< no normal displacement and no friction at the base
 };
 
 /**
@@ -37,10 +37,10 @@ enum class LayerBase
  *   M(s) = ∫_0^∞ (W-1) cos ωs dω,   F = 2E* ∫_0^a y dt.
  *
  * The equation is solved by Nyström's method at 48 Gauss nodes for two right-hand sides. The
- * solutions depend only on a/h. They are tabulated when the kernel is built, which takes about 20
+ * solutions depend only on a/h. They are tabulated when the kernel is created, which takes about 20
  * ms. Limits: 0 <= ν <= 0.5, a/h <= LargestRatio. The table agrees with the direct solution to
- * 1e-10. For a stack of layers W and V differ, but the equation is the same. Immutable and safe to
- * use from any number of threads.
+ * 1e-10. For a stack of layers W and V differ, but the equation is the same. Immutable; can be used
+ * from any number of threads.
  */
 class PALPATE_EXPORT LayerKernel
 {
@@ -59,8 +59,8 @@ public:
   LayerKernel(double poissonRatio, LayerBase base);
   /// Returns the kernel of a layer from a cache of the last 64 kernels of the process. Thread-safe.
   static std::shared_ptr<const LayerKernel> shared(double poissonRatio, LayerBase base);
-  /// The kernel of a stack that has no fault (LayerStack.h); h, ν and E* are those of the top
-  /// layer. Takes about 50 ms.
+  /// Creates the kernel of a stack that has no fault (LayerStack.h); h, ν and E* are those of the
+  /// top layer. Takes about 50 ms.
   explicit LayerKernel(const LayerStack& stack);
 
   double poissonRatio() const noexcept { return this->PoissonsRatio; }
@@ -68,15 +68,15 @@ public:
   /// The stack of this kernel; null for a single layer.
   const LayerStack* stack() const noexcept { return this->Stack.get(); }
 
-  /// M(s), 0 <= s <= 4 LargestRatio.
+  /// Returns M(s) for 0 <= s <= 4 LargestRatio.
   double normal(double s) const noexcept { return this->Normal.evaluate(s); }
-  /// L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω. It is used for the radial displacement as M is used for the
-  /// normal displacement.
+  /// Returns L(s) = ∫_0^∞ (V - V(∞)) sin ωs dω. L is used for the radial displacement in the same
+  /// way as M for the normal displacement.
   double radial(double s) const noexcept { return this->Radial.evaluate(s); }
 
-  /// The solution for a/h = ratio, 0 <= ratio <= LargestRatio, from the table.
+  /// Returns the solution for a/h = ratio, 0 <= ratio <= LargestRatio, from the table.
   Solution at(double ratio) const;
-  /// The solution for a/h = ratio, solved directly.
+  /// Returns the solution for a/h = ratio, solved directly.
   Solution solve(double ratio) const;
   /// Solves u(x) + ∫_0^1 K(x, t) u(t) dt = right(x) with K(x, t) = (a/πh) [M((x+t) a/h) + M((x-t)
   /// a/h)] for a/h = ratio. Returns u at the nodes.
@@ -85,7 +85,7 @@ public:
   /// Nodes and weights of the rule on [0, 1].
   static const Samples& nodes();
   static const Samples& weights();
-  /// Value at 0 <= t <= 1 of the polynomial through samples at the nodes.
+  /// Returns the value at 0 <= t <= 1 of the polynomial through samples at the nodes.
   static double interpolate(const Samples& samples, double t);
 
 private:

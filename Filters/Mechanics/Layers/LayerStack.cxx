@@ -14,11 +14,11 @@ namespace palpate
 namespace
 {
 // At small k the two fields of a thin layer are nearly equal. For kh < 1e-3 double precision would
-// lose all digits; long double keeps seven.
+// lose all digits; long double keeps seven digits.
 using Real = long double;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 using Matrix4 = Eigen::Matrix<Real, 4, 4>;
-// Least k times thickness of the thinnest layer. For smaller k a parabola is used.
+// Smallest k times the thickness of the thinnest layer. For smaller k a parabola is used.
 constexpr double LeastWaveNumber = 1e-3;
 
 Real shearModulus(const StackLayer& layer)
@@ -26,8 +26,8 @@ Real shearModulus(const StackLayer& layer)
   return static_cast<Real>(layer.youngsModulus) / (2.0L * (1.0L + layer.poissonRatio));
 }
 
-/// The two fields that decay from a face, at the distance Z from that face. Displacements (A, B),
-/// and tractions (τ, σ) on a cut parallel to the face, divided by kμ.
+/// The two fields that decay from a face, at the distance Z from that face: the displacements (A,
+/// B), and the tractions (τ, σ) on a cut parallel to the face, divided by kμ.
 struct Fields
 {
   Matrix2 displacement;
@@ -38,7 +38,7 @@ Fields fieldsAt(Real z, double nu)
   const Real kappa = 3.0L - 4.0L * nu;
   const Real e = std::exp(-z);
   Fields fields;
-  // Columns: the field with a = 1, the field with b = 1.
+  // The first column is the field with a = 1, the second the field with b = 1.
   fields.displacement << e, z * e, e, (kappa + z) * e;
   const Real slopeA[2] = { -e, (1.0L - z) * e };
   const Real slopeB[2] = { -e, (1.0L - kappa - z) * e };
@@ -50,7 +50,8 @@ Fields fieldsAt(Real z, double nu)
   return fields;
 }
 
-/// The stiffness, divided by k, between the displacements of both faces and their tractions.
+/// Returns the stiffness matrix between the displacements of both faces and their tractions,
+/// divided by k.
 Matrix4 stiffness(const StackLayer& layer, Real k)
 {
   const Real depth = k * static_cast<Real>(layer.thickness);
@@ -61,7 +62,7 @@ Matrix4 stiffness(const StackLayer& layer, Real k)
   Matrix4 displacement;
   displacement << near.displacement, mirror * far.displacement, far.displacement,
     mirror * near.displacement;
-  Matrix4 traction; // τ and σ on cuts with the normal pointing down
+  Matrix4 traction; // τ and σ on cuts whose normal points down
   traction << -near.traction, mirror * far.traction, far.traction, -(mirror * near.traction);
   return shearModulus(layer) * traction * displacement.inverse();
 }

@@ -14,17 +14,18 @@ namespace palpate
 {
 namespace
 {
-// The slowest decay is e^(-0.74 r/h), that of an incompressible layer.
+// Radius beyond which displacements have decayed, in thicknesses. The slowest decay is e^(-0.74
+// r/h), that of an incompressible layer.
 constexpr double ReachInLayers = 20.0;
 
-/// y dt at one node of a rule over the contact.
+/// The position t and the value of y dt at one node of a rule over the contact.
 struct Source
 {
   double t;
   double strength;
 };
 
-/// (1/πh) Σ y dt [kernel(t + x) + kernel(x - t)]; `kernel` takes signed arguments.
+/// Returns (1/πh) Σ y dt [kernel(t + x) + kernel(x - t)]. `kernel` accepts negative arguments.
 template <class Kernel>
 double field(const std::vector<Source>& sources, double x, double h, Kernel&& kernel)
 {
@@ -54,7 +55,7 @@ double abel(double begin, double r, double h, Function&& f)
   return sum;
 }
 
-/// Calls visit(t, weight, δ - g(t)) over the contact.
+/// Calls visit(t, weight, δ - g(t)) for each node of a rule over the contact.
 template <class Visit>
 void overContact(const LayerContact& contact, double a, double deflection, Visit&& visit)
 {
@@ -118,7 +119,7 @@ LayerSurface::LayerSurface(const LayerContact& contact, double deflection)
     [&](double x) { return field(sources, x, h, radial); } };
 }
 
-/// u_z at r > a.
+/// Returns u_z at r > a.
 double LayerSurface::outside(double r) const
 {
   const double halfSpace = reduction::normalDisplacementOutside([this](double x)
@@ -129,7 +130,7 @@ double LayerSurface::outside(double r) const
   return halfSpace + 2.0 / Pi * layer;
 }
 
-/// Load within the radius r divided by 2E*.
+/// Returns the load within the radius r, divided by 2E*.
 double LayerSurface::loadInside(double r) const
 {
   if (r >= this->Radius)

@@ -23,11 +23,11 @@ class LayerContact;
  *   r <= a  u_z = δ - f(r),
  *   r > a   u_z = (2/π) [∫_0^a (δ-g) dx/√(r²-x²) + ∫_a^r w dx/√(r²-x²)],
  *   u_r = -(1-2ν)/(2π(1-ν)E*) F(r)/r - (2/π) ∫_0^{π/2} q(r sin θ) sin θ dθ,
- * where F(r) is the load within the radius r. Unlike on a half-space the surface bulges: u_z < 0 at
- * some distance if the layer is nearly incompressible. All displacements decay within a few h.
+ * where F(r) is the load within the radius r. Unlike on a half-space, the surface bulges if the
+ * layer is nearly incompressible: u_z < 0 at some distance. All displacements decay within a few h.
  *
- * The constructor takes about 1 ms per contact, each point about 3 µs. Immutable and safe to use
- * from any number of threads.
+ * The constructor takes about 1 ms per contact, and at() takes about 3 µs per point. Immutable; can
+ * be used from any number of threads.
  */
 class PALPATE_EXPORT LayerSurface
 {
@@ -36,7 +36,8 @@ public:
   /// displacements are zero. `contact` and its tool must outlive this object.
   LayerSurface(const LayerContact& contact, double deflection);
 
-  /// Displacement of the point that was at distance r >= 0 from the axis before contact, mm.
+  /// Returns the displacement of the point that was at distance r >= 0 from the axis before
+  /// contact, mm.
   SurfaceDisplacement at(double r) const;
 
 private:
@@ -45,8 +46,8 @@ private:
 
   const LayerContact& Contact;
   double Deflection;
-  double Radius = 0.0;             ///< a; 0 without contact
-  double Reach = 0.0;              ///< beyond this radius all displacements have decayed
+  double Radius = 0.0;             ///< contact radius a; 0 if there is no contact
+  double Reach = 0.0;              ///< radius beyond which all displacements have decayed, mm
   double Integral = 0.0;           ///< ∫_0^a y dt = F/2E*
   LayerKernel::Samples Correction; ///< (δ - g) - y on the nodes of the kernel
   PiecewiseChebyshev Normal;       ///< w(x)

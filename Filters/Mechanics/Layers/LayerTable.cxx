@@ -18,8 +18,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns the thinnest layer on which the law is valid down to `depth`: a(depth) <= LargestRatio
-/// h.
+/// Returns the thickness of the thinnest layer on which the law is valid down to `depth`, that is,
+/// on which a(depth) <= LargestRatio h.
 double thinnestAnswered(
   const AxisymmetricTool& tool, const std::shared_ptr<const LayerKernel>& kernel, double depth)
 {
@@ -39,7 +39,7 @@ double thinnestAnswered(
   return above;
 }
 
-/// The input of a table. Equal stacks share their kernels. Therefore the address of the kernels
+/// The input of a table. Equal stacks share their kernels, so that the address of the kernels
 /// identifies the stack.
 struct CurvesKey
 {

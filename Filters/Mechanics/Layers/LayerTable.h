@@ -21,24 +21,24 @@ struct LayerPlace
 {
   double thickness = 0.0;    ///< thickness of the layer, or of a stack's first layer, mm
   double second = 0.0;       ///< thickness of the second layer of a stack, mm
-  double poissonRatio = 0.0; ///< ratio of a single layer; unused for a stack
+  double poissonRatio = 0.0; ///< Poisson's ratio of a single layer; unused for a stack
 };
 
-/// One tool at fixed depths, for all layered points of a body. Safe to use from any number of
-/// threads.
+/// Curves of one tool at fixed depths, for all layered points of a body. Can be used from any
+/// number of threads.
 class PALPATE_EXPORT LayerCurves
 {
 public:
   virtual ~LayerCurves() = default;
 
   /// One row per depth, with the columns F/E* (mm²), (dF/dδ)/E* (mm) and contact radius (mm). E* is
-  /// that of the layer, or of the first layer of a stack.
+  /// that of the layer or, for a stack, of its first layer.
   using Curve = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-  /// Whether the curve of a point is valid down to the last depth: the contact radius must not
-  /// exceed LayerKernel::LargestRatio thicknesses.
+  /// Returns whether the curve of a point is valid down to the last depth. The contact radius must
+  /// not exceed LayerKernel::LargestRatio thicknesses.
   virtual bool answers(const LayerPlace& place) const noexcept = 0;
-  /// The curve of a point; NaN if answers(place) is false.
+  /// Returns the curve of a point; NaN if answers(place) is false.
   virtual Curve sample(const LayerPlace& place) const = 0;
 
   const std::vector<double>& depths() const noexcept { return this->Depths; }
@@ -53,16 +53,15 @@ protected:
 };
 
 /**
- * One tool at fixed depths on layers of many thicknesses. The exact solution is computed at
- * Chebyshev points of x = c/(c + h), where c is the contact radius at the last depth. Between these
- * points it is interpolated by polynomials. If Poisson's ratio varies continuously, it is
+ * Curves of one tool at fixed depths on layers of many thicknesses. The exact solution is computed
+ * at Chebyshev points of x = c/(c + h), where c is the contact radius at the last depth. Between
+ * these points it is interpolated by polynomials. If Poisson's ratio varies continuously, it is
  * interpolated in the same way.
  *
  * The table is intended for a body with a different thickness at each point. The constructor takes
- * about 20 ms per Poisson's ratio, for any tool. Then the curve of a point takes less than a
- * microsecond. F and dF/dδ agree with LayerContact to 1e-7. If Poisson's ratio has more than
- * DistinctRatios values, they agree to 1e-5 for a < 2h. Immutable and safe to use from any number
- * of threads.
+ * about 20 ms per Poisson's ratio, for any tool. The curve of a point then takes less than a
+ * microsecond. F and dF/dδ agree with LayerContact to 1e-7, or to 1e-5 for a < 2h if Poisson's
+ * ratio has more than DistinctRatios values. Immutable; can be used from any number of threads.
  */
 class PALPATE_EXPORT LayerTable final : public LayerCurves
 {
@@ -73,7 +72,7 @@ public:
   static constexpr int ThicknessPoints = 40;
 
   /// The layers of a body: the range of thickness (mm, 0 < thinnest <= thickest, +inf allowed), the
-  /// occurring values of Poisson's ratio, ascending, and for a stack its kernels.
+  /// values of Poisson's ratio that occur, ascending, and for a stack its kernels.
   struct Layers
   {
     LayerBase base = LayerBase::Bonded;
@@ -109,18 +108,18 @@ private:
 
   double Thinnest = 0.0;
   double Scale = 1.0;
-  double Begin = 0.0; ///< lower end of the interval of x
+  double Begin = 0.0; ///< lower end of the interval of x = c/(c + h)
   double End = 0.0;
   std::vector<double> Ratios;
   double FirstRatio;
   double LastRatio;
   bool RatiosAreChebyshev = false;
-  std::vector<Curves> Tables; ///< F, dF/dδ and a by depth; one per Poisson's ratio
+  std::vector<Curves> Tables; ///< F, dF/dδ and a for each depth; one table per Poisson's ratio
 };
 
 /// Returns the curves of the tool on given layers at given depths (mm, ascending): a LayerTable, or
-/// for a stack a StackTable. The last 64 tables are cached in the process and found by their input,
-/// because a law is prepared several times for one body. Thread-safe.
+/// a StackTable for a stack. The process caches the last 64 tables by their input, because a law is
+/// prepared several times for one body. Thread-safe.
 PALPATE_EXPORT std::shared_ptr<const LayerCurves> makeLayerCurves(const AxisymmetricTool& tool,
   const LayerTable::Layers& layers, const std::vector<double>& depths);
 } // namespace palpate

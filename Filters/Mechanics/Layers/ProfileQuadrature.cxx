@@ -5,8 +5,8 @@ namespace palpate
 {
 namespace
 {
-// Few kinks separate curved parts. Many kinks are the corners of a sampled profile, between which g
-// is nearly linear.
+// If there are few kinks, they separate curved parts. If there are many kinks, they are the corners
+// of a sampled profile, between which g is nearly linear.
 int nodesPerPanel(std::size_t kinks)
 {
   return kinks <= 4 ? 48 : 8;

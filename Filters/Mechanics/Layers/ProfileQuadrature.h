@@ -16,7 +16,7 @@ namespace palpate
  *
  * The interval is divided at the kinks of g. After a kink b, g may start like √(x-b). Therefore the
  * panel [b, c] is mapped by x = b + (c-b) u², which makes the integrand smooth. Panels that are
- * completely inside a contact are evaluated once, in the constructor.
+ * always completely inside a contact are evaluated once, in the constructor.
  */
 class PALPATE_EXPORT ProfileQuadrature
 {
@@ -24,7 +24,7 @@ public:
   /// `tool` must outlive the quadrature.
   explicit ProfileQuadrature(const AxisymmetricTool& tool);
 
-  /// Whether g has a kink below a. If not, any rule on [0, a] is suitable.
+  /// Returns whether g has a kink below a. If not, any rule on [0, a] is suitable.
   bool kinkedBelow(double a) const noexcept { return !this->Kinks.empty() && this->Kinks[0] < a; }
 
   /// Calls visit(x, weight, g(x)) for each node of the rule over [0, a].

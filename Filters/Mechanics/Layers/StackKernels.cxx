@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 constexpr double PointsAtLeast = 5.0;
-constexpr double PointsPerLog = 2.5; // additional points per factor e of the thickness
+constexpr double PointsPerLog = 2.5; // additional points per factor of e in the thickness
 constexpr double MostPoints = 16.0;
 
 Eigen::Index pointCount(const ThicknessSpan& span)
@@ -25,7 +25,7 @@ Eigen::Index pointCount(const ThicknessSpan& span)
     : 1;
 }
 
-/// The input from which kernels are made.
+/// The input from which kernels are computed.
 struct StackKey
 {
   LayerStack stack;
@@ -90,7 +90,7 @@ std::shared_ptr<const StackKernels> StackKernels::shared(
   const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second)
 {
   constexpr std::size_t mostStacks = 16;
-  constexpr std::size_t mostKernels = 1000; // a kernel has 100 kB
+  constexpr std::size_t mostKernels = 1000; // a kernel needs 100 kB
   static RecentValues<StackKey, StackKernels> recent(mostStacks, mostKernels);
   return recent.get({ stack, first, second },
     [&]

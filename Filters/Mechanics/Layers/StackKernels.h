@@ -29,8 +29,8 @@ struct ThicknessSpan
 
 /**
  * The kernels of a stack whose first two layers vary in thickness. The nodes are Chebyshev points
- * of ln h: 6 to 16 per layer, depending on the width of the span, or one if the thickness is
- * constant.
+ * of ln h: 6 to 16 per layer, depending on the width of the thickness range, or one if the
+ * thickness is constant.
  *
  * Smooth functions of the thicknesses are interpolated between the nodes. For stacks with ratios of
  * moduli of 1 to 50 and of thicknesses of 1 to 20, the forces agree to 1e-3 with those of a
@@ -40,15 +40,15 @@ struct ThicknessSpan
 class PALPATE_EXPORT StackKernels
 {
 public:
-  /// `stack` must have no fault (LayerStack.h). The spans replace the thicknesses of its first two
-  /// layers. `second` is ignored for a single layer.
+  /// `first` and `second` replace the thicknesses of the first two layers of `stack`, which must
+  /// have no fault (LayerStack.h). `second` is ignored for a single layer.
   StackKernels(LayerStack stack, ThicknessSpan first, ThicknessSpan second);
 
-  /// Returns kernels from a cache of the process, which contains up to 1000 kernels. Thread-safe.
+  /// Returns kernels from a cache of the process, which holds up to 1000 kernels. Thread-safe.
   static std::shared_ptr<const StackKernels> shared(
     const LayerStack& stack, const ThicknessSpan& first, const ThicknessSpan& second);
 
-  /// A stack at one node.
+  /// The kernel of a stack at one node.
   struct Node
   {
     double thickness; ///< thickness of the first layer, mm
@@ -56,8 +56,8 @@ public:
   };
   const std::vector<Node>& nodes() const noexcept { return this->Nodes; }
 
-  /// The weight of each node at the given thicknesses (mm, within the spans); the sum of the
-  /// weights is 1.
+  /// Returns the weight of each node at the given thicknesses (mm, within the spans). The sum of
+  /// the weights is 1.
   Eigen::VectorXd factorsAt(double first, double second) const;
 
   const LayerStack& stack() const noexcept { return this->Stack; }

@@ -15,11 +15,11 @@
 namespace palpate
 {
 /**
- * One tool at fixed depths on a stack whose first two layers vary in thickness. The exact solution
- * is computed at the nodes of StackKernels. Between the nodes ln F, ln dF/dδ and ln a are
+ * Curves of one tool at fixed depths on a stack whose first two layers vary in thickness. The exact
+ * solution is computed at the nodes of StackKernels. Between the nodes ln F, ln dF/dδ and ln a are
  * interpolated by polynomials of ln h.
  *
- * The constructor takes about 1 ms per node and 8 depths. Then the curve of a point takes 1 to 2
+ * The constructor takes about 1 ms per node for 8 depths. The curve of a point then takes 1 to 2
  * µs. A point has no curve if its first layer is so thin that the contact radius exceeds
  * LayerKernel::LargestRatio times the thickness. This limit is accurate to a tenth of that
  * thickness.
@@ -37,8 +37,8 @@ public:
 private:
   void leaveOutTheThinnest(const AxisymmetricTool& tool);
 
-  std::shared_ptr<const StackKernels> Kernels; ///< null: no point has a curve
-  /// Logarithms of F, dF/dδ and a by depth; one column per node.
+  std::shared_ptr<const StackKernels> Kernels; ///< null if no point has a curve
+  /// Logarithms of F, dF/dδ and a for each depth; one column per node.
   Eigen::MatrixXd Logarithms;
 };
 } // namespace palpate

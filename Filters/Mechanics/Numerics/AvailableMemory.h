@@ -11,7 +11,8 @@ namespace palpate
 constexpr double Mebibyte = 1024.0 * 1024.0;
 
 /// Returns the number of bytes that programs can still allocate on this machine without swapping:
-/// `MemAvailable` of Linux (proc(5)). If the file has no such entry, half of the machine's memory.
+/// `MemAvailable` of Linux (proc(5)). If the file has no such entry, returns half of the machine's
+/// memory.
 PALPATE_EXPORT double availableMemory(const std::string& file = "/proc/meminfo");
 } // namespace palpate
 

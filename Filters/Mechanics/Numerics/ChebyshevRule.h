@@ -13,7 +13,7 @@ namespace palpate
 {
 /**
  * Interpolation at the N Chebyshev points of the first kind on [-1, 1], in descending order, by the
- * barycentric formula (Berrut and Trefethen 2004, eq. 4.2 and 5.3). Stable for any N.
+ * barycentric formula (Berrut and Trefethen 2004, eqs. 4.2 and 5.3). Stable for any N.
  */
 template <int N>
 class ChebyshevRule
@@ -29,7 +29,7 @@ public:
 
   const Values& points() const noexcept { return this->Points; }
 
-  /// The weight of each sample in the interpolant at t; the sum of the weights is 1.
+  /// Returns the weight of each sample in the interpolant at t. The sum of the weights is 1.
   Values factorsAt(double t) const
   {
     const Values distance = t - this->Points;
@@ -41,7 +41,7 @@ public:
     return factors / factors.sum();
   }
 
-  /// A rule with `points` points; it must equal N unless N is Eigen::Dynamic.
+  /// Creates a rule with `points` points. `points` must equal N unless N is Eigen::Dynamic.
   explicit ChebyshevRule(Eigen::Index points)
   {
     constexpr double pi = 3.14159265358979323846;
@@ -61,11 +61,11 @@ private:
 };
 
 /**
- * A function of one variable on [0, end], stored as Chebyshev series of 16 terms on pieces of equal
- * length.
+ * A function of one variable on [0, end], stored on pieces of equal length as Chebyshev series of
+ * 16 terms each.
  *
- * If the function is analytic around each piece within a distance of the size of the piece, the
- * error is about 1e-13 of its magnitude there.
+ * If the function is analytic around each piece within a distance of the length of the piece, the
+ * error is about 1e-13 of the magnitude of the function there.
  */
 class PALPATE_EXPORT PiecewiseChebyshev
 {
@@ -75,7 +75,8 @@ public:
   PiecewiseChebyshev() = default;
   PiecewiseChebyshev(double end, int pieces, const std::function<double(double)>& function);
 
-  /// The function at x; 0 beyond the end. Functions that are stored in this way have decayed there.
+  /// Returns the function at x; 0 beyond the end. The functions stored in this way have decayed
+  /// there.
   double evaluate(double x) const noexcept;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// π; a number for "no bound"; a number for "unknown".
+/// π; infinity, used for "no bound"; NaN, used for "unknown".
 inline constexpr double Pi = 3.14159265358979323846;
 inline constexpr double Infinity = std::numeric_limits<double>::infinity();
 inline constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();

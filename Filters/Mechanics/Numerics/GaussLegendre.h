@@ -19,8 +19,8 @@ class PALPATE_EXPORT GaussLegendre
 public:
   explicit GaussLegendre(int nodes);
 
-  /// The 64-point rule of the contact integrals. It converges to 1e-11 for an analytic integrand
-  /// whose nearest singularity is at least 1 % of the interval beyond its end.
+  /// The 64-point rule for the contact integrals. Its error is 1e-11 for an analytic integrand
+  /// whose nearest singularity is at least 1 % of the interval beyond the end of the interval.
   static const GaussLegendre& standard();
 
   /// The nodes on [-1, 1], ascending.

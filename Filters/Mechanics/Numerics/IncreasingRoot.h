@@ -14,9 +14,9 @@ struct ValueAndSlope
 };
 
 /**
- * Returns the root of an increasing function between `low` and `high`, to rounding. Uses Newton's
- * method from `start`, and bisection if a step would leave the present bounds. f(t) returns f and
- * f' at t.
+ * Returns the root of an increasing function between `low` and `high`, exact to rounding. Uses
+ * Newton's method from `start`, and bisection if a step would leave the present bounds. f(t) must
+ * return f and f' at t.
  */
 template <class Function>
 double increasingRoot(Function&& f, double low, double high, double start)

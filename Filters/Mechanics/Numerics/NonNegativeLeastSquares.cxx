@@ -63,7 +63,7 @@ VectorXd nonNegativeLeastSquares(const MatrixXd& A, const VectorXd& b)
     for (Index inner = 0; inner < n; ++inner)
     {
       const VectorXd wanted = solveFree(A, b, free);
-      double share = 1.0; // fraction of the step until the first value becomes negative
+      double share = 1.0; // fraction of the step at which the first value becomes negative
       for (Index j = 0; j < n; ++j)
       {
         if (free[static_cast<std::size_t>(j)] && wanted[j] <= 0.0)

@@ -44,7 +44,7 @@ double PiecewiseChebyshev::evaluate(double x) const noexcept
     }
     --piece; // x is the end of the last piece
   }
-  // Clenshaw's recurrence.
+  // Clenshaw's recurrence for the Chebyshev series.
   const double t = 2.0 * (position - static_cast<double>(piece)) - 1.0;
   const double* c = this->Coefficients.data() + piece * Terms;
   double b1 = 0.0;

@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Returns the square of the distance from the origin to the segment between two points, in a plane
-/// or in space. If the segment has no length, returns the square of the distance to its end.
+/// Returns the squared distance from the origin to the segment between two points, in a plane or in
+/// space. If the segment has no length, returns the squared distance to its end.
 template <class Vector>
 double squareToSegment(const Vector& from, const Vector& to)
 {

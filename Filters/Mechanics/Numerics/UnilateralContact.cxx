@@ -7,7 +7,7 @@ namespace
 {
 constexpr int StepsAtOnce = 30;
 constexpr int MostSteps = 2000;
-/// Relative to the largest wanted displacement. A smaller value is a rounding error, not a gap.
+/// Smallest gap relative to the largest wanted displacement. A smaller value is a rounding error.
 constexpr double Rounding = 1e-9;
 } // namespace
 

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A body that deforms under forces at its nodes; its compliance is symmetric and positive
+/// A body that deforms under forces at its nodes. Its compliance matrix is symmetric and positive
 /// definite.
 class PALPATE_EXPORT CompliantNodes
 {
@@ -26,13 +26,13 @@ public:
 };
 
 /**
- * Signorini's problem at nodes: forces p ≥ 0 under which the displacement of every node i is at
- * least b_i, and exactly b_i at each node with a force.
+ * Solves Signorini's problem at nodes: finds the forces p ≥ 0 under which the displacement of every
+ * node i is at least b_i, and exactly b_i at each node with a force.
  *
- * Method of active sets: the nodes of an assumed contact are displaced by b. Then nodes with
- * tensile forces leave the set, and penetrated nodes join it (primal–dual active set, Hintermüller,
- * Ito and Kunisch 2003). All nodes change at once. If the sets do not converge, they change by one
- * node at a time.
+ * Active-set method: the nodes of an assumed contact are displaced by b. Then nodes with tensile
+ * forces leave the set, and penetrated nodes join it (primal–dual active set, Hintermüller, Ito and
+ * Kunisch 2003). All these nodes change in one step. If the sets do not converge, they change by
+ * one node per step.
  */
 class PALPATE_EXPORT UnilateralContact
 {
@@ -41,7 +41,7 @@ public:
   /// Returns false if the sets did not converge.
   bool solve(CompliantNodes& nodes, const Eigen::VectorXd& wanted, std::vector<int>& active,
     Eigen::VectorXd& forces);
-  /// Number of active sets that the last solution tried.
+  /// Number of active sets that the last solution has tried.
   int steps() const { return this->Steps; }
 
 private:

@@ -13,14 +13,15 @@ namespace palpate
 {
 namespace
 {
-/// M(1; m+1; -x) = m ∫₀¹ e^(-x(1-v)) v^(m-1) dv, x >= 0.
+/// Returns M(1; m+1; -x) = m ∫₀¹ e^(-x(1-v)) v^(m-1) dv, x >= 0.
 double kummer(double m, double x)
 {
   constexpr double far = 50.0;
   const double enough = std::numeric_limits<double>::epsilon();
   if (x > far)
   {
-    // m/x (1 - (m-1)/x (1 - (m-2)/x (1 - ...))). The series ends, or its terms become negligible.
+    // Asymptotic series m/x (1 - (m-1)/x (1 - (m-2)/x (1 - ...))), summed until it ends or its
+    // terms become negligible.
     double sum = 0.0;
     double term = m / x;
     for (int k = 1; std::abs(term) > enough * std::abs(sum) && k < far; ++k)
@@ -30,7 +31,7 @@ double kummer(double m, double x)
     }
     return sum;
   }
-  // e^-x M(m; m+1; x), whose terms are all positive.
+  // Sums e^-x M(m; m+1; x), whose terms are all positive.
   double sum = 0.0;
   double term = 1.0;
   for (int k = 0; k < x || term > enough * sum; ++k)

@@ -11,7 +11,7 @@
 namespace palpate
 {
 /**
- * The relaxation of a material (a Prony series): E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i). Poisson's
+ * The relaxation of a material as a Prony series: E(t)/E_∞ = ψ(t) = 1 + Σ p_i e^(-t/τ_i). Poisson's
  * ratio is constant. p_i is relative to the slow modulus E_∞. The literature often gives fractions
  * g_i of the instantaneous modulus; then p_i = g_i/(1 - Σ g).
  */
@@ -24,7 +24,7 @@ struct PronySeries
   std::array<double, LargestCount> time{};     ///< τ_i, s, > 0
 
   bool relaxes() const noexcept { return this->total() > 0.0; }
-  /// P = Σ p_i: the instantaneous modulus is 1 + P times the slow modulus.
+  /// Returns P = Σ p_i. The instantaneous modulus is 1 + P times the slow modulus.
   double total() const noexcept
   {
     double sum = 0.0;
@@ -42,21 +42,22 @@ struct PronySeries
   }
 };
 
-/// Returns the fault of a series, which names the branch and the number, or "". A series without
-/// branches is valid.
+/// Returns the fault of a series with the branch and the value, or "". A series without branches is
+/// valid.
 PALPATE_EXPORT std::string faultOfRelaxation(const PronySeries& series);
 
-/// ψ(t), t >= 0 in s.
+/// Returns ψ(t) for t >= 0, s.
 PALPATE_EXPORT double relaxationAt(const PronySeries& series, double seconds);
 
-/// Returns the ratio of the force to the slow force at the end of a press at constant speed that
-/// takes the time `seconds`, for a slow curve f ∝ δ^m (Lee and Radok 1960): 1 + Σ p_i M(1; m+1;
-/// -t/τ_i), with Kummer's function M = ₁F₁. A modulus measured in such a press is the slow modulus
-/// times this ratio.
+/// Returns the force at the end of a press at constant speed, divided by the slow force. `seconds`
+/// is the duration t of the press, and the slow curve is f ∝ δ^m (Lee and Radok 1960). With
+/// Kummer's function M = ₁F₁, the ratio is 1 + Σ p_i M(1; m+1; -t/τ_i). A modulus measured in such
+/// a press is the slow modulus times this ratio.
 PALPATE_EXPORT double rampFactor(const PronySeries& series, double exponent, double seconds);
 
-/// Reads text like "0.5:0.1,0.3:2": strength:seconds of each branch; "" means no branches. Returns
-/// a fault, or "". `series` is changed only if there is no fault.
+/// Reads text of the form "0.5:0.1,0.3:2", with strength:seconds for each branch; "" means no
+/// branches. Returns a fault, or
+/// "". `series` is changed only if there is no fault.
 PALPATE_EXPORT std::string parsePronySeries(const std::string& text, PronySeries& series);
 /// Returns the series as text from which the same bits are read back.
 PALPATE_EXPORT std::string textOf(const PronySeries& series);

@@ -9,10 +9,10 @@
 namespace palpate
 {
 /**
- * A single relaxing element, a simpler form of RelaxationElements. Instead of a depth it uses the
- * force of the curve, y = f(δ) (quasi-linear, Fung). It is exact for a flat-ended tool and during
- * loading; otherwise the error is within 10 to 12 % of the largest force. It is intended for curves
- * that are not convex, and for cases in which speed is more important than accuracy.
+ * A single relaxing element, a simpler alternative to RelaxationElements. Instead of the depth it
+ * uses the force of the curve, y = f(δ) (quasi-linear, Fung). It is exact for a flat-ended tool and
+ * during loading; otherwise the error is at most 10 to 12 % of the largest force. It is intended
+ * for curves that are not convex, and for cases in which speed is more important than accuracy.
  */
 class QuasiLinearElement
 {
@@ -24,7 +24,7 @@ public:
     this->reset();
     this->Slow = force;
   }
-  /// Changes to another curve, `factor` times as stiff.
+  /// Converts the state to a curve that is `factor` times as stiff.
   void scale(double factor) noexcept
   {
     this->Slow *= factor;
@@ -33,7 +33,7 @@ public:
       strain *= factor;
     }
   }
-  /// Makes a time step to the slow force f(δ), N; 0 without contact. Returns the force, N.
+  /// Computes one time step to the slow force f(δ), N (0 without contact). Returns the force, N.
   double press(double slow, const RelaxationStep& step) noexcept
   {
     double free = step.stiffening * this->Slow;
@@ -52,8 +52,8 @@ public:
     this->Force = (1.0 + step.stiffening) * (now - free);
     return this->Force;
   }
-  /// To be used instead of press(): makes a step with an increment of either sign, without
-  /// separation. Returns the memory force.
+  /// Alternative to press() for an element that does not separate: computes one time step with an
+  /// increment of the slow force of either sign. Returns the memory force, N.
   double follow(double increment, const RelaxationStep& step) noexcept
   {
     double sum = 0.0;
@@ -63,11 +63,11 @@ public:
       sum += step.strength[i] * this->Strain[i];
     }
     this->Slow += increment;
-    this->Force = 1.0; // counts as contact, because the force may be tensile
+    this->Force = 1.0; // marks the element as in contact, because the force may be tensile
     return sum;
   }
 
-  /// Returns the result that follow() would have, without changing the state.
+  /// Returns the result of follow() without changing the state.
   double foresee(double increment, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -78,7 +78,7 @@ public:
     return sum;
   }
 
-  /// As in RelaxationElements, but multiplied by a stiffness, N².
+  /// As RelaxationElements::growthByExchange(), but multiplied by a stiffness, N².
   double growthByExchange(const RelaxationStep& step, double share) const noexcept
   {
     double sum = 0.0;
@@ -89,7 +89,7 @@ public:
     }
     return sum;
   }
-  /// Σ p_i s_i²/2, N².
+  /// Returns Σ p_i s_i²/2, N².
   double storedEnergy(const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -103,7 +103,7 @@ public:
   {
     return 0.5 * this->Strain[branch] * this->Strain[branch];
   }
-  /// As in RelaxationElements.
+  /// As RelaxationElements::exchange().
   void exchange(double share) noexcept
   {
     const bool isTouched = this->Force > 0.0;

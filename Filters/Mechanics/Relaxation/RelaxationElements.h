@@ -15,21 +15,22 @@
 namespace palpate
 {
 /**
- * A foundation that relaxes: parallel elements, each of which begins at a gap g_j below the surface
- * and carries the force
+ * A relaxing foundation of parallel elements. Element j begins at a depth (gap) g_j below the
+ * surface and carries the force
  *   q = u + Σ p_i s_i,   ds_i/dt = du/dt - s_i/τ_i,
- * where u is the depth of the element, δ - g_j during contact. An element carries no tensile force.
- * Out of contact it recovers with q = 0.
+ * where u is the displacement of the element, which is δ - g_j during contact. An element carries
+ * no tensile force. Out of contact it recovers with q = 0.
  *
- * The force for a slow curve f is F = Σ w_j q_j. The weights w_j are the increments in slope of the
- * chords of f between the gaps. In the limit of close gaps this is exact for every body and tool
- * with nested contact areas (Lee and Radok 1960; Ting 1966), and for any history: presses, holds,
- * releases, new contacts in a dent that has not recovered. The state of an element depends only on
- * depth and time, not on f. Therefore blended curves share the elements.
+ * The force for a slow curve f is F = Σ w_j q_j. The curve f is approximated by chords between the
+ * gaps, and the weights w_j are the increments of the slopes of these chords. In the limit of close
+ * gaps this is exact for every body and tool with nested contact areas (Lee and Radok 1960; Ting
+ * 1966), and for any history: presses, holds, releases, and new contacts in a dent that has not
+ * recovered. The state of an element depends only on depth and time, not on f. Therefore several
+ * curves can share the elements.
  *
- * A step is exact for a depth that changes at constant speed. Elements are computed in blocks of
- * four, except those that were never touched. A step takes about 40 ns for 17 elements and two
- * branches. No function allocates or throws.
+ * A step is exact if the depth changes at constant speed. Elements are computed in blocks of four,
+ * except those that were never touched. A step takes about 40 ns for 17 elements and two branches.
+ * No function allocates or throws.
  */
 class RelaxationElements
 {
@@ -48,7 +49,7 @@ public:
   /// One number per element, padded to complete blocks.
   using Values = std::array<double, (LargestCount + BlockSize - 1) / BlockSize * BlockSize>;
 
-  /// Depths at which the elements begin, mm, ascending; infinite for missing elements.
+  /// Depths at which the elements begin, mm, ascending; infinite for elements that do not exist.
   class Gaps
   {
   public:
@@ -66,7 +67,7 @@ public:
   /// Resets all elements to the initial state.
   void reset() noexcept { *this = {}; }
 
-  /// Sets the equilibrium at a constant depth.
+  /// Sets the state of equilibrium at a constant depth, mm.
   void rest(double depth, const Gaps& gaps) noexcept
   {
     this->reset();
@@ -78,14 +79,14 @@ public:
     this->Touched = this->Awake;
   }
 
-  /// First part of a time step: computes the depth that each element would have without contact.
-  /// press() must follow.
+  /// First part of a time step: computes the displacement that each element would have without
+  /// contact. press() must follow.
   void relax(const RelaxationStep& step) noexcept
   {
     withBranches(step.count, [&](auto branches) { this->relaxAll<branches>(step); });
   }
 
-  /// Second part of a time step. `depth` is the depth of the tool, mm; -∞ without contact.
+  /// Second part of a time step. `depth` is the depth of the tool, mm; -∞ if there is no contact.
   void press(double depth, const Gaps& gaps, const RelaxationStep& step) noexcept
   {
     while (this->Awake < gaps.count() && depth > gaps[this->Awake])
@@ -115,28 +116,28 @@ public:
     return (1.0 + step.stiffening) * sum;
   }
 
-  /// Number of elements that may carry a force. The others are in their initial state.
+  /// Number of elements that may carry a force. The other elements are in their initial state.
   std::size_t awake() const noexcept { return this->Awake; }
-  /// Whether any element is in contact. If so, the first element is in contact.
+  /// Returns whether any element is in contact. In this case the first element is in contact.
   bool isTouched() const noexcept { return this->Touched > 0; }
 
-  /// The force Σ w_j q_j.
+  /// Returns the force Σ w_j q_j, N.
   double forceOf(const Values& weights) const noexcept
   {
     return (head(weights, this->Awake) * head(this->Force, this->Awake)).sum();
   }
-  /// The memory force: Σ w_j (q_j - (δ - g_j)⁺).
+  /// Returns the memory force Σ w_j (q_j - (δ - g_j)⁺), N.
   double memoryOf(const Values& weights, double depth, const Gaps& gaps) const noexcept
   {
     const auto slow = (depth - head(gaps.depths(), this->Awake)).max(0.0);
     return (head(weights, this->Awake) * (head(this->Force, this->Awake) - slow)).sum();
   }
-  /// Σ w_j of the elements in contact, N/mm.
+  /// Returns Σ w_j of the elements in contact, N/mm.
   double touchedStiffness(const Values& weights) const noexcept
   {
     return head(weights, this->Touched).sum();
   }
-  /// The energy of the branches: Σ w_j Σ p_i s_i²/2, N mm.
+  /// Returns the energy of the branches, Σ w_j Σ p_i s_i²/2, N mm.
   double storedEnergy(const Values& weights, const RelaxationStep& step) const noexcept
   {
     double sum = 0.0;
@@ -146,15 +147,16 @@ public:
     }
     return sum;
   }
-  /// Derivative of storedEnergy() with respect to the strength of one branch: Σ w_j s_i²/2.
+  /// Returns the derivative of storedEnergy() with respect to the strength of one branch, Σ w_j
+  /// s_i²/2.
   double energyByStrength(const Values& weights, std::size_t branch) const noexcept
   {
     const auto strain = head(this->Strain[branch], this->Awake);
     return 0.5 * (head(weights, this->Awake) * strain.square()).sum();
   }
 
-  /// Derivative of storedEnergy() with respect to the fraction of new material under the tool
-  /// (exchange()), N mm.
+  /// Returns the derivative of storedEnergy() with respect to the fraction of new material under
+  /// the tool (exchange()), N mm.
   double growthByExchange(
     const Values& weights, const RelaxationStep& step, double share) const noexcept
   {
@@ -171,8 +173,8 @@ public:
     return sum;
   }
 
-  /// Replaces a fraction of the material, 0 to 1, by untouched material. The new material counts as
-  /// pressed instantly in elements in contact, and as at rest in the other elements.
+  /// Replaces a fraction of the material, 0 to 1, by untouched material. In elements in contact the
+  /// new material counts as pressed instantly; in the other elements it counts as at rest.
   void exchange(double share, std::size_t branches) noexcept
   {
     for (std::size_t i = 0; i < branches; ++i)
@@ -217,8 +219,8 @@ private:
         return use(std::integral_constant<std::size_t, PronySeries::LargestCount>());
     }
   }
-  // Computes whole blocks. Elements that are not awake have depths, strains and free depths of 0.
-  // These values remain 0, because the tool does not reach the gaps of these elements.
+  // Computes complete blocks. Elements that are not awake have depths, strains and free depths of
+  // 0. These values remain 0, because the tool does not reach the gaps of these elements.
   template <std::size_t Branches>
   void relaxAll(const RelaxationStep& step) noexcept
   {
@@ -277,7 +279,7 @@ private:
     }
   }
 
-  std::size_t Awake = 0; ///< elements that were touched and have not recovered
+  std::size_t Awake = 0; ///< number of elements that were touched and have not recovered
   /// Number of elements in contact; these are the first ones, because contact areas are nested.
   std::size_t Touched = 0;
   Values Depth{}; ///< u_j

@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// Coefficients of a material's branches for a time step in which the depth changes at constant
-/// speed.
+/// Coefficients of a material's branches for a time step of length T in which the depth changes at
+/// constant speed.
 struct RelaxationStep
 {
   using Branches = std::array<double, PronySeries::LargestCount>;
@@ -20,11 +20,11 @@ struct RelaxationStep
   Branches decay{};    ///< e_i = e^(-T/τ_i)
   Branches gain{};     ///< (τ_i/T)(1 - e_i): fraction of an increment that remains at the end
   Branches strength{}; ///< p_i
-  /// Σ p_i gain_i; the stiffness for an increment is 1 + this number times the slow stiffness
+  /// Σ p_i gain_i. The stiffness for an increment is 1 + this value times the slow stiffness.
   double stiffening = 0.0;
 
   RelaxationStep() = default;
-  /// `seconds` >= 0 is the length of the step. If it is 0, the whole increment remains.
+  /// `seconds` >= 0 is the length of the step. With 0, the increment does not decay.
   RelaxationStep(const PronySeries& series, double seconds) noexcept
     : count(series.count)
     , strength(series.strength)
@@ -44,10 +44,10 @@ struct RelaxationStep
     this->sum();
   }
 
-  /// A servo loop with the period of the step is passive with a relaxing spring of slow stiffness K
-  /// if it is passive with an elastic spring of stiffness K times this factor (Colgate and
-  /// Schenkel): 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i). Here tanh(x_i)/x_i is computed as 2
-  /// gain_i/(1 + e_i).
+  /// Returns the factor 1 + Σ p_i tanh(x_i)/x_i, x_i = T/(2 τ_i). A servo loop with the period of
+  /// the step is passive with a relaxing spring of slow stiffness K if it is passive with an
+  /// elastic spring whose stiffness is K times this factor (Colgate and Schenkel). tanh(x_i)/x_i is
+  /// computed as 2 gain_i/(1 + e_i).
   double sampledStiffening() const noexcept
   {
     double sum = 1.0;
@@ -58,14 +58,14 @@ struct RelaxationStep
     return sum;
   }
 
-  /// (1 - e^-x)/x.
+  /// Returns (1 - e^-x)/x.
   static double meanDecay(double x) noexcept
   {
     if (!(x < Little))
     {
       return (1.0 - std::exp(-x)) / x;
     }
-    // Terms in groups of four, which are independent of each other. The first omitted term,
+    // The terms are in groups of four, which are independent of each other. The first omitted term,
     // x^11/12!, is 5e-16.
     const double x2 = x * x;
     const double x4 = x2 * x2;
@@ -76,7 +76,7 @@ struct RelaxationStep
   }
 
 private:
-  /// Below this x Taylor's polynomial is exact to rounding.
+  /// Below this x the Taylor polynomial is exact to rounding.
   static constexpr double Little = 0.25;
 
   void sum() noexcept

@@ -25,7 +25,7 @@ CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values,
              this->Values[static_cast<std::size_t>(i)]) /
       width(i);
   };
-  // Condition: the second derivative is continuous at each inner position.
+  // The second derivative is continuous at each inner position.
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = 1; i + 1 < n; ++i)
@@ -37,7 +37,7 @@ CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values,
     system(i, i + 1) = before;
     right[i] = 3.0 * (after * secant(i - 1) + before * secant(i));
   }
-  // Condition at an end: the slope is given, or the third derivative is continuous at the next
+  // At an end, either the slope is given, or the third derivative is continuous at the next
   // position.
   const auto end = [&](Eigen::Index at, Eigen::Index next, Eigen::Index cell, Eigen::Index cellNext,
                      const std::optional<double>& slope)

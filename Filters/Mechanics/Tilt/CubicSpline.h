@@ -42,7 +42,7 @@ struct SplinePoint
 };
 
 /// The cubic spline through samples at four or more ascending positions. The slope at an end may be
-/// given. Otherwise a single cubic spans the two cells at that end. The spline is linear beyond the
+/// given. Otherwise the two cells at that end have a common cubic. The spline is linear beyond the
 /// ends.
 class CubicSpline
 {

@@ -76,7 +76,8 @@ RectangleLoads::RectangleLoads(int n, double width, double height)
   room(this->Along, this->Count / 2);
 }
 
-/// Fourier transform of each column. `Order` gives the order of the result.
+/// Computes the Fourier transform of each column. `Order` maps wave numbers to positions in the
+/// result.
 void RectangleLoads::transform(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -109,7 +110,7 @@ void RectangleLoads::transform(Rows& rows) const
   }
 }
 
-/// Inverse transform of each column, times 2n.
+/// Computes the inverse Fourier transform of each column, multiplied by 2n.
 void RectangleLoads::transformBack(Rows& rows) const
 {
   const std::size_t whole = 2 * this->Count;
@@ -142,7 +143,7 @@ void RectangleLoads::transformBack(Rows& rows) const
   }
 }
 
-/// Transforms a field of rows x rows numbers; the result is in Across.
+/// Computes the Fourier transform of a field of rows x rows numbers. The result is in Across.
 void RectangleLoads::toSpectrum(const std::vector<double>& field, std::size_t rows)
 {
   const std::size_t whole = 2 * this->Count;
@@ -159,7 +160,7 @@ void RectangleLoads::toSpectrum(const std::vector<double>& field, std::size_t ro
     }
   }
   this->transform(this->Along);
-  // Separates the two real rows of each complex row. The even part under k → -k and conjugation
+  // Each complex row contains two real rows. The part that is even under k → -k with conjugation
   // belongs to the first row, the odd part to the second row.
   const std::size_t wide = this->Across.width;
   this->Across.real.assign(whole * wide, 0.0);

@@ -12,8 +12,8 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A body without its modulus, because the modulus only scales the result: a half-space or a layer,
-/// with a compliance in series.
+/// A half-space or a layer, with a compliance in series. The modulus is not included, because it
+/// only scales the result.
 struct TiltBody
 {
   /// Thickness of the layer, or of a stack's first layer, mm; 0 for a half-space.
@@ -35,8 +35,9 @@ struct TiltWork
   double work = 0.0;      ///< ∫F dD, mm³
 };
 
-/// Presses a tool to the depth D > 0 (mm) into a body; NaN if the law of the tool is not valid at
-/// this depth. The work is integrated to 1e-6 between the kinks of the tool's profile.
+/// Computes the results for a tool pressed to the depth D > 0 (mm) into a body; NaN if the law of
+/// the tool is not valid at this depth. The work is integrated to 1e-6 between the kinks of the
+/// tool's profile.
 PALPATE_EXPORT TiltWork pressedInto(
   const AxisymmetricTool& tool, const TiltBody& body, double depth);
 } // namespace palpate

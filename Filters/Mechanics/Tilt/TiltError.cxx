@@ -8,11 +8,12 @@ namespace palpate
 {
 namespace
 {
-/// Returns the error of the table of tilts.
+/// Returns the error of the table of tilts on a half-space.
 double tableError(const TiltedLayer& contact) noexcept
 {
-  constexpr double wholeEnd = 1.0;  // rim up to which the whole flat end touches
-  constexpr double smallPart = 3.0; // rim above which only a small part of a flat end touches
+  constexpr double wholeEnd = 1.0; // value of `rim` up to which the whole flat end touches
+  // Value of `rim` above which only a small part of a flat end touches.
+  constexpr double smallPart = 3.0;
   constexpr double ofWholeEnd = 0.006;
   constexpr double ofPointed = 0.005;
   constexpr double asIfUpright = 1e-9;

@@ -6,23 +6,24 @@
 
 namespace palpate
 {
-/// A tilted contact on a layer, in dimensionless numbers.
+/// A tilted contact on a layer or half-space, in dimensionless numbers.
 struct TiltedLayer
 {
   /// Contact radius of the upright tool at the same depth in a half-space, divided by the thickness
   /// of the layer; 0 on a half-space.
   double radius = 0.0;
-  double stretch = 1.0; ///< F(D, θ)/F(D, 0) on that layer
-  double rim = 0.0;     ///< κ h/D for a tool with a flat end (TiltTerms::dropScale), else 0
+  double stretch = 1.0; ///< ratio F(D, θ)/F(D, 0) on that layer
+  /// κ h/D for a tool with a flat end, with the drop h (TiltTerms::dropScale); else 0.
+  double rim = 0.0;
 };
 
 /**
  * Returns the relative error of the force of a tilted tool on a bonded layer, if the force is
  * computed from the equivalent profile of revolution (TiltedTool.h). The error arises because the
- * base acts differently on a contact that is longer than wide, or on a rim.
+ * effect of the base on an elongated contact or on a rim differs from that on a circular contact.
  *
- * Let T be the stretch (at least 1), ρ the radius times √T, g = ρ³/(ρ³ + 0.22) and s the rim. The
- * error is the larger of
+ * Let T be `stretch` (at least 1), ρ = `radius` √T, g = ρ³/(ρ³ + 0.22) and s = `rim`. The error is
+ * the larger of
  *   0.36 (1 - T^-1.2) g, for pointed tools, and
  *   0.18 s²/(1 + s²) g, for flat ends.
  * This is an envelope of results of boundary elements on layers with ν = 0.45

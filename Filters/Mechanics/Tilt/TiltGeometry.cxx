@@ -17,10 +17,11 @@ namespace palpate
 namespace
 {
 constexpr double Degree = Pi / 180.0;
-// Difference between the tilt at which the flank touches the body along its length and the largest
-// tilt.
+// Margin between the largest tilt and the tilt at which the flank touches the body along its
+// length.
 constexpr double Margin = 4.0 * Degree;
-constexpr double LargestTilt = 80.0 * Degree; // at larger tilts the body's surface is not a plane
+// At larger tilts the body's surface cannot be treated as a plane.
+constexpr double LargestTilt = 80.0 * Degree;
 // Distance from the tip at which a flank has its final slope.
 constexpr double FarRadius = 1e6;
 
@@ -39,7 +40,7 @@ DeepestPoint seenTilted(const Place& place, double angle)
 }
 
 /// Returns the deepest point of a sampled profile. It is one of the given points, because the
-/// profile is straight between points.
+/// profile is straight between these points.
 Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
 {
   const double sine = std::sin(angle);
@@ -50,8 +51,8 @@ Place deepestOf(const std::vector<ProfilePoint>& points, double angle)
   return { deepest.r, deepest.f };
 }
 
-/// Returns the deepest point of a profile given as a function: the best sample, refined by golden
-/// section.
+/// Returns the deepest point of a profile given as a function: the deepest sample, refined by
+/// golden-section search.
 Place deepestOf(const AxisymmetricTool& tool, double angle)
 {
   const double sine = std::sin(angle);
@@ -143,7 +144,7 @@ double flankAngle(const AxisymmetricTool& tool)
   }
   if (std::isfinite(tool.largestContactRadius()))
   {
-    return 0.5 * Pi; // the tool is a sphere or has a vertical wall
+    return 0.5 * Pi; // no such tilt: the tool is a sphere or has a vertical wall
   }
   double reach = std::max(1.0, tool.smallestContactRadius());
   reach = tool.kinks().empty() ? reach : std::max(reach, tool.kinks().back());
@@ -179,7 +180,7 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
       " degrees only and lies on the body when the tool is tilted; there is no law for a tilt of ",
       angle / Degree, " degrees");
   }
-  constexpr double Rounding = 1e-9; // rounding of angles converted from degrees
+  constexpr double Rounding = 1e-9; // tolerance for angles converted from degrees
   return angle <= largest + Rounding
     ? ""
     : joined("a tilt of ", angle / Degree, " degrees is too much for this tool: ",
@@ -191,8 +192,8 @@ std::string checkTilt(const AxisymmetricTool& tool, double angle)
 double dropScaleOf(const AxisymmetricTool& tool)
 {
   const double angle = std::min(0.5, largestTilt(tool));
-  // The distance of a rim from the tip is the same at any tilt. For a paraboloid the distance of
-  // the deepest point is proportional to the tilt.
+  // The offset of a rim is the same at any tilt. For a paraboloid the offset of the deepest point
+  // is proportional to the tilt.
   constexpr double First = 0.02;
   constexpr double Half = 0.5;
   constexpr double RimScale = 3.0; // a flat end is in full contact for D >= 3 h
@@ -207,7 +208,8 @@ ToolDrop::ToolDrop(const AxisymmetricTool& tool, double largest)
 {
   for (int k = 0; k < Angles; ++k)
   {
-    // The angle is not exactly 0, because a rim is the deepest point only for tilts above 0.
+    // The smallest angle is not exactly 0, because a rim is the deepest point only for tilts above
+    // 0.
     constexpr double LeastAngle = 1e-9;
     const double angle = std::max(LeastAngle, static_cast<double>(k) / (Angles - 1)) * largest;
     const DeepestPoint deepest = deepestPoint(tool, angle);

@@ -21,10 +21,10 @@ namespace
 {
 constexpr int Depths = 9;
 constexpr int Angles = 13;
-constexpr double AngleStep = 0.01;     // step in y for differences
-constexpr double LeastFraction = 0.25; // fraction of the first x; used instead of x = 0
-// The half-space is solved to this multiple of the range. Its spline is inaccurate at the end, and
-// the contact on a layer corresponds to a larger depth on a half-space.
+constexpr double AngleStep = 0.01;     // step in y for finite differences
+constexpr double LeastFraction = 0.25; // fraction of the first x > 0, used instead of x = 0
+// The half-space is solved to this multiple of the range, because the spline is inaccurate at the
+// end, and because the contact on a layer corresponds to a larger depth on a half-space.
 constexpr double HalfSpaceFactor = 1.6;
 constexpr double LayerFactor = 4.0;
 
@@ -44,7 +44,7 @@ Ratio over(const TiltWork& one, const TiltWork& other)
   return { value, (one.force - value * other.force) / other.work };
 }
 
-/// The nodes of one tool.
+/// Computes the nodes of one tool.
 class NodesOfTool
 {
 public:
@@ -68,7 +68,7 @@ public:
       });
   }
 
-  /// The nodes of all bodies at one depth and angle.
+  /// Returns the nodes of all bodies at one depth and angle.
   std::vector<Node> at(int depth, int angle) const
   {
     std::vector<Node> nodes = angle > 0
@@ -87,16 +87,16 @@ public:
   }
 
 private:
-  /// x of a node. At x = 0 there is no contact. Therefore a small x is used instead, and at()
-  /// extrapolates to 0.
+  /// Returns x of a node. At x = 0 there is no contact. Therefore a small x is used instead, and
+  /// at() extrapolates to 0.
   static double placeAt(int depth)
   {
     return (depth > 0 ? static_cast<double>(depth) : LeastFraction) / (Depths - 1);
   }
   double depthAt(int depth) const { return this->Range * placeAt(depth) * placeAt(depth); }
 
-  /// Nodes at θ = 0, where η = 1. At a fixed depth of the tip W is even in θ, and therefore M = 0:
-  /// F dh/dθ + W_0 (ρ_θ + η_θ) = 0, ρ_θ = -2κ/3D dh/dθ.
+  /// Returns the nodes at θ = 0, where η = 1. At a fixed depth of the tip W is even in θ, and
+  /// therefore M = 0. This gives F dh/dθ + W_0 (ρ_θ + η_θ) = 0 with ρ_θ = -2κ/3D dh/dθ.
   std::vector<Node> upright(int node) const
   {
     const double scale = this->HalfSpace.dropScale();
@@ -120,17 +120,18 @@ private:
     return nodes;
   }
 
-  /// Nodes at a tilt. The derivatives with respect to y are differences; those with respect to x
-  /// follow from F = dW/dD.
+  /// Returns the nodes at a tilt > 0. The derivatives with respect to y are finite differences;
+  /// those with respect to x follow from F = dW/dD.
   std::vector<Node> tilted(int node, double y) const
   {
     const double depth = this->depthAt(node);
     const double depthByX = 2.0 * this->Range * placeAt(node);
     std::array<std::shared_ptr<const AxisymmetricTool>, 3> tools;
-    std::array<Ratio, 3> rim{};    // ρ
-    std::array<Ratio, 3> missed{}; // work on the half-space over work of the profile
-    // The differences use y and one position on each side; at the largest tilt y and two smaller
-    // positions.
+    std::array<Ratio, 3> rim{}; // ρ at the three positions
+    // Work on the half-space divided by the work of the equivalent profile.
+    std::array<Ratio, 3> missed{};
+    // The differences use y and one position on each side. At the largest tilt they use y and two
+    // smaller positions.
     const bool isLast = y + AngleStep > 1.0;
     const std::array<double, 3> steps = { 0.0, isLast ? 2.0 : -1.0, 1.0 };
     const std::array<double, 3> slope = { isLast ? 3.0 : 0.0, 1.0, isLast ? -4.0 : -1.0 };
@@ -188,8 +189,9 @@ std::string countFault(const std::vector<TiltBody>& bodies)
     : joined("the number of laws must be 1 to ", TiltTerms::MostLaws, ", but is ", bodies.size());
 }
 
-/// Returns the reason why a tool, upright or at the largest tilt, cannot be pressed to the depth
-/// `range` into a body; "" if it can.
+/// Returns the reason why a tool cannot be pressed to the depth `range` (mm) into a body, upright
+/// and at the largest tilt;
+/// "" if it can be pressed.
 std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const TiltBody& body)
 {
@@ -217,7 +219,8 @@ std::string faultOf(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpa
   return tool.checkDepth(range);
 }
 
-/// Returns the largest tiltError at the depths of the nodes, at the largest tilt and at half of it.
+/// Returns the largest tiltError() over the depths of the nodes, at the largest tilt and at half of
+/// it.
 double largestError(const AxisymmetricTool& tool, const TiltedHalfSpace& halfSpace, double range,
   double largest, const std::vector<TiltBody>& bodies)
 {

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// A position among evenly spaced nodes of [0, 1].
+/// A position between evenly spaced nodes of [0, 1].
 struct Cell
 {
   std::size_t lower;
@@ -26,8 +26,8 @@ Cell cellAt(double place, int nodes) noexcept
   return { static_cast<std::size_t>(lower), position - lower };
 }
 
-/// The cubic Hermite basis over a cell. Order: lower value, lower slope, upper value, upper slope;
-/// slopes with respect to the position in the cell.
+/// The cubic Hermite basis over a cell, in the order lower value, lower slope, upper value, upper
+/// slope. Slopes are with respect to the position in the cell.
 struct Basis
 {
   std::array<double, 4> value;
@@ -57,8 +57,8 @@ struct PlaneValue
   double byXTwice = 0.0;
 };
 
-/// Adds `weight` times the η, η_x, η_y, η_xy of a node. `x`, `y`: 0 for the lower end and 2 for the
-/// upper end of the cell.
+/// Adds the contribution of a node with the values η, η_x, η_y, η_xy, multiplied by `weight`. `x`
+/// and `y` are 0 for the lower end and 2 for the upper end of the cell.
 void add(PlaneValue& sum, const double* node, double weight, const Basis& alongX, std::size_t x,
   const Basis& alongY, std::size_t y) noexcept
 {

@@ -16,7 +16,8 @@ namespace
 {
 constexpr int CoarsePixels = 32; // number of pixels along each side for the search of the contact
 constexpr int MostIterations = 400;
-constexpr double Tolerance = 1e-5; // largest gap under the pressure, relative to the depth
+// Largest gap between tool and surface at loaded pixels, relative to the depth.
+constexpr double Tolerance = 1e-5;
 
 /// A grid of pixels on a box.
 struct Grid
@@ -48,7 +49,7 @@ std::vector<double> heightsOn(const TiltedSurface& surface, const Grid& grid, do
   return heights;
 }
 
-/// Returns the pressures >= 0 with which the surface follows the tool.
+/// Returns the pressures >= 0 with which the surface conforms to the tool.
 std::vector<double> pressuresOn(const Grid& grid, const std::vector<double>& heights, double depth)
 {
   RectangleLoads loads(grid.pixels, grid.width(), grid.height());

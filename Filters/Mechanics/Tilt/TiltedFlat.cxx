@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Coefficients of z, z², …. They result from a least-squares fit of f with the relative errors of
-/// the table, under the constraints f(3) = 2, f'(3) = 1, f''(3) = 0 and the known work at q = 3.
+/// Coefficients of z, z², …, from a least-squares fit of f to the table with its relative errors as
+/// weights. Constraints: f(3) = 2, f'(3) = 1, f''(3) = 0, and the known work at q = 3.
 constexpr std::array<double, 9> RimTerms = { 0.21967052817978971, 1.3781689290941161,
   -6.757712350273644, 25.83380523956624, -62.31965296945057, 92.52030735421076, -81.92991590971977,
   39.62429688339708, -8.050449186485492 };

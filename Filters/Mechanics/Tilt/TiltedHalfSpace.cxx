@@ -21,19 +21,21 @@ namespace palpate
 {
 namespace
 {
-constexpr double Shallowest = 256.0; // ratio of the largest to the smallest depth of the rows
-constexpr int RowCells = 13;         // number of intervals, about two per factor e of the depth
+// Ratio of the largest to the smallest depth at which the tool is solved.
+constexpr double Shallowest = 256.0;
+constexpr int RowCells = 13; // number of intervals, about two per factor of e in the depth
 constexpr int AngleCells = 11;
 constexpr double Power = -1.2; // exponent of τ that makes it nearly linear in sin² θ
 constexpr int SamplesPerRow = 4;
-// Number of samples over the depths of the rows, and two more.
+// Number of samples over the solved depths, plus two more.
 constexpr std::size_t OfRows = SamplesPerRow * RowCells + 2;
-constexpr std::size_t MostSamples = 200; // samples at small tilts, down to 1e-7 of the least depth
-// Lower bound of contact radius over depth for the result of the solver.
+// Samples at small tilts, down to 1e-7 of the smallest depth.
+constexpr std::size_t MostSamples = 200;
+// Lower bound of contact radius divided by depth, for results of the solver.
 constexpr double Smallest = 1e-9;
 
-/// Makes the contact radii increase with the depth. If they decrease because of the solver's error,
-/// they are replaced by their mean over the depth. This preserves the force.
+/// Makes the contact radii increase with the depth. Radii that decrease because of the solver's
+/// error are replaced by their mean over the depth, which preserves the force.
 void makeMonotone(std::vector<TiltedTool::Sample>& samples)
 {
   std::vector<double> radii;
@@ -44,7 +46,7 @@ void makeMonotone(std::vector<TiltedTool::Sample>& samples)
     depths.push_back(sample.depth);
   }
   radii = isotonicRegression(radii, depths);
-  constexpr double Growth = 1e-9; // makes the radii distinct, so that each has one depth
+  constexpr double Growth = 1e-9; // makes the radii distinct, so that each radius has one depth
   for (std::size_t i = 0, same = 0; i < samples.size(); ++i)
   {
     same = i > 0 && radii[i] == radii[i - 1] ? same + 1 : 0;
@@ -64,7 +66,8 @@ void setExponents(std::vector<TiltedTool::Sample>& samples)
   }
 }
 
-/// Whether only the spherical tip of a blunted cone touches. If so, τ = 1 at any tilt.
+/// Returns whether only the spherical tip of a blunted cone touches. In this case τ = 1 at any
+/// tilt.
 bool touchesWithTipOnly(const std::optional<ToolSpecification>& tool, double radius, double angle)
 {
   return tool && tool->Shape == ToolShape::BluntedCone && radius < tool->Radius &&
@@ -136,8 +139,8 @@ void TiltedHalfSpace::solveRows(double depth)
     std::vector<double> works;
     for (std::size_t column = 0; column < columns; ++column)
     {
-      // The work is divided by the result of the same grid for the upright tool. This cancels most
-      // of the error of the grid.
+      // The work is divided by the work of the upright tool on the same grid. This cancels most of
+      // the error of the grid.
       const TiltedForce& tilted = solved[row * columns + column];
       const double tau = tilted.work > 0.0 ? tilted.work / solved[row * columns].work : 1.0;
       works.push_back(this->DropScale > 0.0
@@ -148,12 +151,12 @@ void TiltedHalfSpace::solveRows(double depth)
     std::optional<double> slope;
     if (!(this->DropScale > 0.0))
     {
-      slope = 0.0; // τ is even in θ
+      slope = 0.0; // the slope at θ = 0 is 0, because τ is even in θ
     }
     else if (this->rimRatio(at, angles[1]) < 1.0)
     {
-      // At a very small tilt only the change of the depth of the tip has an effect: W(D, θ) = W(D -
-      // h, 0).
+      // At a very small tilt only the change of the tip's depth has an effect: W(D, θ) = W(D - h,
+      // 0).
       const TiltWork upright = pressedInto(this->Tool, {}, at);
       slope = this->Drop.at(0.0).offset * (2.0 / at - upright.force / upright.work);
     }
@@ -171,7 +174,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 {
   if (!(angle > 0.0) || this->Is == Kind::Sphere)
   {
-    return { std::shared_ptr<void>(), &this->Tool }; // the result does not own the tool
+    return { std::shared_ptr<void>(), &this->Tool }; // the returned pointer does not own the tool
   }
   return this->Is == Kind::Flat ? this->flat(angle) : this->fromRows(angle);
 }
@@ -180,9 +183,9 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::equivalent(double angle
 std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::flat(double angle) const
 {
   constexpr double Least = 1e-4;
-  constexpr double Whole = 3.0; // q of full contact of the end
-  constexpr int Lower = 60;     // number of points from the least q to 1
-  // Number of points from q = 1 to full contact, with decreasing distances.
+  constexpr double Whole = 3.0; // smallest q at which the end is in full contact
+  constexpr int Lower = 60;     // number of points from the smallest q to 1
+  // Number of points from q = 1 to full contact, with decreasing distances between them.
   constexpr int Upper = 40;
   const double radius = this->Tool.largestContactRadius();
   const double drop = this->Drop.at(angle).drop;
@@ -221,7 +224,7 @@ std::shared_ptr<const AxisymmetricTool> TiltedHalfSpace::fromRows(double angle) 
   }
   const CubicSpline stored = this->over(angle);
   // For a flat end the samples begin at a depth at which only its rim touches; for other tools they
-  // begin at the first row.
+  // begin at the smallest solved depth.
   const double drop = this->DropScale > 0.0 ? this->Drop.at(angle).drop : 0.0;
   constexpr double OnRim = 0.02; // largest D/h at which the force is nearly a power of the depth
   const double begin = drop > 0.0 ? std::min(first.depth, OnRim * drop) : first.depth;

@@ -22,7 +22,8 @@ TiltedSurface::TiltedSurface(const AxisymmetricTool& tool, double angle)
   this->Deepest = deepest.offset * this->Cosine + deepest.drop * this->Sine;
 }
 
-/// Height of a point above the profile, measured along the tool's axis; < 0 outside the tool.
+/// Returns the height of a point above the profile, measured along the tool's axis; negative
+/// outside the tool.
 double TiltedSurface::insideAt(double x, double y, double z) const
 {
   return x * this->Sine + z * this->Cosine -
@@ -37,8 +38,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
     const double height = this->Tool.profile(std::hypot(x, y));
     return height < limit ? height : Infinity;
   }
-  // Steps upwards until the point is inside the tool. The flank of a convex tool may end above.
-  // Therefore a higher point may again be outside.
+  // Steps upwards until the point is inside the tool. The flank of a convex tool may end above, so
+  // that a higher point may again be outside.
   constexpr int Steps = 16;
   double low = bottom;
   double lowValue = this->insideAt(x, y, low);
@@ -84,8 +85,8 @@ double TiltedSurface::heightAt(double x, double y, double limit) const
 
 SurfaceBox TiltedSurface::below(double limit) const
 {
-  // Searches the radii whose lowest point is below the limit. The search starts at the deepest
-  // point, with smaller steps near it.
+  // Searches the radii at which the lowest point is below the limit. The search starts at the
+  // deepest point, with smaller steps near it.
   const double wall = this->Tool.largestContactRadius();
   const auto isLow = [&](double r)
   { return this->Tool.profile(r) * this->Cosine - r * this->Sine + this->Drop < limit; };

@@ -22,9 +22,10 @@ public:
   /// `tool` must outlive the surface.
   TiltedSurface(const AxisymmetricTool& tool, double angle);
 
-  /// Height of the tool above the plane at (x, y), mm; +inf if it exceeds `limit`.
+  /// Returns the height of the tool above the plane at (x, y), mm; +inf if it exceeds `limit`.
   double heightAt(double x, double y, double limit) const;
-  /// The smallest box found that contains all points where the height is less than `limit`.
+  /// Returns the smallest box found that contains all points at which the height is less than
+  /// `limit`.
   SurfaceBox below(double limit) const;
 
 private:

@@ -187,7 +187,8 @@ double TiltedTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // D/a increases with D if the contact radius increases more slowly than the depth.
+  // D/a increases with D if the contact radius increases more slowly than the depth. The root is
+  // between these depths.
   constexpr double FarFactor = 1e6;
   double low = this->Samples.front().depth / FarFactor;
   double high = this->Samples.back().depth * FarFactor;

@@ -12,9 +12,9 @@ namespace palpate
 {
 /**
  * The tool of revolution that is equivalent to a tilted tool on a half-space: at each depth D of
- * the deepest point it has the same force, and thus the same dF/dD = 2E* a. It is defined by its
- * contact radius a(D); g is the inverse function. On layers the equivalent tool causes the error
- * tiltError.
+ * the deepest point it has the same force, and therefore the same dF/dD = 2E* a. It is defined by
+ * its contact radius a(D); its reduced profile g is the inverse function. On layers the equivalent
+ * tool causes the error tiltError().
  *
  * ln a is a cubic of ln D between the samples. Beyond the samples a is a power of D, except that it
  * is constant beyond a wall. The specification() of this tool cannot be parsed.
@@ -30,8 +30,9 @@ public:
     double exponent; ///< d ln a/d ln D, >= 0
   };
 
-  /// There must be at least two samples, with ascending depths and radii. `hasWall`: no contact is
-  /// wider than the last sample. `kinks`: radii at which the slope of a(D) jumps.
+  /// `samples` has at least two samples, with ascending depths and radii. `hasWall` means that no
+  /// contact is wider than the last sample. `kinks` are the radii at which the slope of a(D) is
+  /// discontinuous.
   TiltedTool(
     std::string name, std::vector<Sample> samples, bool hasWall, std::vector<double> kinks = {});
 

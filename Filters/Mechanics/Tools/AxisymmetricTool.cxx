@@ -68,7 +68,7 @@ double AxisymmetricTool::pressure(double r, double deflection, double reducedMod
   {
     return 0.0;
   }
-  if (this->isStillFlat(a)) // the contact is that of the flat end, up to rounding
+  if (this->isStillFlat(a)) // the contact is that of the flat end, within rounding
   {
     return reducedModulus * deflection / (Pi * std::sqrt((a - r) * (a + r)));
   }

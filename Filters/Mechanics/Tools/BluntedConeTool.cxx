@@ -56,7 +56,7 @@ double BluntedConeTool::reducedProfile(double x) const
   return x * (this->logarithm(x, q) + this->Cosine / this->Sine * std::atan2(q, b));
 }
 
-/// g' at x = √(b²+q²) > b.
+/// Returns g' at x = √(b²+q²) > b.
 double BluntedConeTool::slopeBehind(double x, double q) const
 {
   const double b = this->Tangent;
@@ -83,7 +83,7 @@ double BluntedConeTool::radiusAt(double deflection) const
   {
     return this->Tip.contactRadius(deflection);
   }
-  // The unknown is q. g increases at least as fast as the g of a cone whose apex is at (b, g(b)): g
+  // The unknown is q. g increases at least as fast as that of a cone whose apex is at (b, g(b)): g
   // >= (π/2) c (x-b).
   const double slope = this->Cosine / this->Sine;
   const double high = b + 2.0 * deflection / (Pi * slope);

@@ -21,7 +21,8 @@ namespace palpate
 class BluntedConeTool final : public AxisymmetricTool
 {
 public:
-  /// Radius of the tip, mm; half angle from the axis, degrees, 0 < halfAngle < 90.
+  /// `radius` is the radius of the tip, mm. `halfAngle` is measured from the axis, degrees, 0 <
+  /// halfAngle < 90.
   BluntedConeTool(double radius, double halfAngle);
 
   std::string specification() const override;

@@ -16,7 +16,7 @@ namespace palpate
 class ConeTool final : public AxisymmetricTool
 {
 public:
-  /// Half angle from the axis, degrees, 0 < halfAngle < 90.
+  /// `halfAngle` is measured from the axis, degrees, 0 < halfAngle < 90.
   explicit ConeTool(double halfAngle);
 
   std::string specification() const override;

@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 constexpr double Tolerance = 1e-3;          // relative to the depth, see the header
-constexpr std::size_t LeastSamples = 512;   // number of samples of g, in total
-constexpr double SamplesPerFactor = 12.0;   // number of samples per factor e of the radius
-constexpr std::size_t MostCandidates = 512; // number of radii at which the gap is computed
+constexpr std::size_t LeastSamples = 512;   // smallest total number of samples of g
+constexpr double SamplesPerFactor = 12.0;   // number of samples per factor of e in the radius
+constexpr std::size_t MostCandidates = 512; // largest number of radii at which the gap is computed
 
 struct Sample
 {
@@ -21,9 +21,10 @@ struct Sample
   double g;
 };
 
-/// Samples of g between the kinks. They are evenly spaced before the first kink. Next to a kink r
-/// the samples are denser, because g may start like a square root. At larger x their distance is
-/// proportional to x, because g changes over lengths of r, even if the next kink is far away.
+/// Returns samples of g between the kinks. They are evenly spaced before the first kink. Just
+/// beyond a kink of radius r the samples are denser, because g may start like a square root. At
+/// larger x their distance is proportional to x, because g changes over lengths of the order of r,
+/// even if the next kink is far away.
 std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedProfile,
   const std::vector<double>& kinks, double outer)
 {
@@ -56,8 +57,8 @@ std::vector<Sample> sampleBetween(const std::function<double(double)>& reducedPr
   return samples;
 }
 
-/// Returns the radii at which the gap may close. After a maximum of g, there is a dip in which g is
-/// smaller. The radii extend to twice the distance from the maximum to the end of the dip.
+/// Returns the radii at which the gap may close. Beyond a maximum of g there is a dip, in which g
+/// is smaller. The radii extend to twice the distance from the maximum to the end of the dip.
 std::vector<double> candidates(const std::vector<Sample>& samples)
 {
   std::vector<double> radii;
@@ -96,7 +97,7 @@ std::vector<double> candidates(const std::vector<Sample>& samples)
 /// the first depth at which δ - f(r) - u_z(r) exceeds the tolerance.
 double closingDepth(const std::vector<Sample>& samples, double r, double height)
 {
-  double integral = 0.0; // ∫_0^x g dx/√(r²-x²), g linear between samples
+  double integral = 0.0; // ∫_0^x g dx/√(r²-x²), with g linear between samples
   double deepest = 0.0;
   double before = -height;
   double depthBefore = 0.0;

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// The end of a half-space law: at depths beyond `depth`, the tool would also touch the body at
+/// The end of a half-space law. At depths beyond `depth`, the tool would also touch the body at
 /// `radius`, outside the circle of contact. Both in mm; +inf and NaN if there is no such depth.
 struct DepthLimit
 {
@@ -19,12 +19,13 @@ struct DepthLimit
 };
 
 /**
- * Largest depth at which the profile f(r), r <= outer, touches a half-space in one full circle.
+ * Returns the largest depth at which the profile f(r), r <= outer, touches a half-space in one full
+ * circle.
  *
  * With the reduced profile g and g(a) = δ the gap outside the contact is
  *   f(r) - δ + (2/π) [δ asin(a/r) + ∫_0^a g dx/√(r²-x²) ... ] = (2/π) ∫_a^r (g-δ) dx/√(r²-x²),
  * which is never negative if g increases everywhere. If g decreases (at a shoulder, a groove, a
- * second ring), the gap closes at some r and δ; the function returns that pair.
+ * second ring), the gap closes at some r and δ, which are returned.
  *
  * The gap may be negative by up to a thousandth of the depth. If the profile is raised by ε where
  * the gap is negative, the law is exact. Therefore the true force is between F(δ) and F(δ+ε), and
@@ -32,8 +33,8 @@ struct DepthLimit
  * corner of a sampled profile would end the law, because beyond the corner g decreases by an amount
  * of the order of the squared spacing.
  *
- * `kinks`: radii, ascending, at which g is not analytic. g is sampled between the kinks at 500
- * points or more. The resulting depth is accurate to about 1e-3.
+ * `kinks` are the radii, ascending, at which g is not analytic. g is sampled between the kinks at
+ * 500 points or more. The resulting depth is accurate to about 1e-3.
  */
 PALPATE_EXPORT DepthLimit findDepthLimit(const std::function<double(double)>& profile,
   const std::function<double(double)>& reducedProfile, const std::vector<double>& kinks,

@@ -37,9 +37,9 @@ void forEachPiece(double lower, double upper, const Radii& kinks, Piece&& piece)
   }
 }
 
-/// Returns ∫_p^q f dv for an f that is a power at p. In the first half the substitution v - p =
-/// (m-p) u⁴ turns square roots into polynomials, and any power above -3/4 into a function that
-/// Gauss's rule resolves.
+/// Returns ∫_p^q f dv for an f that behaves like a power of (v - p) near p. In the first half, up
+/// to the middle m, the substitution v - p = (m-p) u⁴ turns square roots into polynomials, and any
+/// power above -3/4 into a function that Gauss's rule resolves.
 template <class Integrand>
 double fromBranchPoint(double p, double q, Integrand&& f)
 {
@@ -98,7 +98,7 @@ double fromRadius(double r, double a, const Radii& kinks, Integrand&& f)
   return sum;
 }
 
-/// Returns the angle θ of x = r sin θ, x <= r. Accurate as x → r.
+/// Returns the angle θ of x = r sin θ, x <= r; accurate also for x → r.
 double angleOf(double x, double r)
 {
   return std::atan2(x, std::sqrt(r - x) * std::sqrt(r + x));
@@ -173,7 +173,7 @@ double normalDisplacementOutside(
 
 double loadInside(const Function& slope, double r, double a, double step, const Radii& kinks)
 {
-  // Inside r: ∫_0^r x g'(x) dx. Outside: ∫_r^a g'(x) (x - √(x²-r²)) dx.
+  // x < r contributes ∫_0^r x g'(x) dx, and x > r contributes ∫_r^a g'(x) (x - √(x²-r²)) dx.
   double core = 0.0;
   forEachPiece(0.0, r, kinks,
     [&](double p, double q)

@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * Paraboloid f = r²/2R, the "sphere" of Hertz (1882) and of the usual tables: a = √(Rδ), F = 4/3 E*
- * √R δ^1.5. It approximates a sphere of radius R for a << R; the exact sphere is SphereTool.
+ * Paraboloid f = r²/2R, which Hertz (1882) and the usual tables call "sphere": a = √(Rδ), F = 4/3
+ * E* √R δ^1.5. It approximates a sphere of radius R for a << R; the exact sphere is SphereTool.
  */
 class ParaboloidTool final : public AxisymmetricTool
 {

@@ -13,19 +13,19 @@ namespace palpate
  *   δ = κ B a^n,  F = 2n/(n+1) E* a δ ∝ δ^(1+1/n)
  * (Galin; Sneddon 1965; Popov and Hess 2015). n = 1 is the cone, n = 2 the paraboloid B = 1/2R.
  *
- * 1 <= n <= 100. For n < 1 the tip would be a cusp of infinite slope, for which a theory of small
- * slopes is not valid. For n > 100 the profile differs from a flat punch by a few per cent of its
- * radius. RoundedFlatTool describes it better.
+ * The exponent must be 1 <= n <= 100. For n < 1 the tip would be a cusp of infinite slope, for
+ * which a theory of small slopes is not valid. For n > 100 the profile differs from a flat punch by
+ * a few per cent of its radius; RoundedFlatTool describes such a tool better.
  *
- * There is no tip radius: the strain measure is δ/a = κ B a^(n-1), which for n = 1 is the same at
- * every depth.
+ * There is no tip radius, so that the strain measure is δ/a = κ B a^(n-1), which for n = 1 is the
+ * same at every depth.
  */
 class PowerLawTool final : public AxisymmetricTool
 {
 public:
   static constexpr double LargestExponent = 100.0;
 
-  /// Exponent n; coefficient B, mm^(1-n), > 0.
+  /// `exponent` is n; `coefficient` is B, mm^(1-n), > 0.
   PowerLawTool(double exponent, double coefficient);
 
   std::string specification() const override;

@@ -15,8 +15,8 @@ std::string readProfile(const std::string& file, std::vector<ProfilePoint>& poin
     {
       csv.fail("'" + std::string(csv.text(0)) + "' is not a profile point r_mm,f_mm");
     }
-    // A header has two names. A first line that begins like a number is not a header, but an
-    // invalid point.
+    // A header has two names. A first line that begins like a number is not a header, but a point
+    // with an invalid number.
     else if (!isFirst || csv.text(0).find_first_of("0123456789+-.") == 0)
     {
       read.push_back({ csv.number(0), csv.number(1) });

@@ -12,7 +12,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int RisesPerStep = 8; // number of samples for a profile that is not convex
+// Number of samples per step of the slope for a profile that is not convex.
+constexpr int RisesPerStep = 8;
 
 std::string pointText(std::size_t i, const ProfilePoint& point)
 {
@@ -72,7 +73,8 @@ ProfileTool::ProfileTool(std::vector<ProfilePoint> points)
     const ProfilePoint& p = this->Points[i];
     const ProfilePoint& q = this->Points[i + 1];
     const double next = (q.f - p.f) / (q.r - p.r);
-    // The computed slopes of equally steep segments differ by the rounding errors of their ends.
+    // The computed slopes of equally steep segments differ by the rounding errors of their end
+    // points.
     const double rounding = 4e-16 * (q.f + p.f) / (q.r - p.r);
     if (std::abs(next - slope) > rounding)
     {
@@ -97,8 +99,8 @@ ProfileTool::ProfileTool(std::vector<ProfilePoint> points)
   }
 }
 
-/// Finds the running maxima of g. For a convex profile g increases between the rises; other
-/// profiles are sampled.
+/// Finds the running maxima of g. For a convex profile g increases everywhere; other profiles are
+/// sampled.
 void ProfileTool::findRises()
 {
   double level = 0.0;
@@ -187,8 +189,8 @@ double ProfileTool::reducedSlope(double x) const
   return sum;
 }
 
-/// Returns g at x = √(r²+t²) after a step, and dg/dt = Σ m_i (A_i + r_i/√(x²-r_i²)) t/x. g is
-/// accurate even if x rounds to r.
+/// Returns g at x = √(r²+t²) beyond a step of radius r, and dg/dt = Σ m_i (A_i + r_i/√(x²-r_i²))
+/// t/x. g is accurate even if x rounds to r.
 ValueAndSlope ProfileTool::behind(std::size_t step, double t) const
 {
   const double r = this->Steps[step].unit.radius();
@@ -284,7 +286,7 @@ double ProfileTool::depthAtContactRadius(double a) const
   {
     return std::isnan(a) ? a : a > 0.0 ? Infinity : 0.0;
   }
-  // Uses the largest g at smaller radii, because g may decrease.
+  // Uses the largest g at radii up to a, because g may decrease.
   double level = this->reducedProfile(a);
   for (const Rise& rise : this->Rises)
   {
@@ -302,7 +304,7 @@ double ProfileTool::depthAtStrain(double ratio) const
   {
     return std::isnan(ratio) ? ratio : 0.0;
   }
-  // Finds the first rise at which δ/a = g(a)/a exceeds the ratio, and then the crossing before that
+  // Finds the first rise at which δ/a = g(a)/a exceeds the ratio, then the crossing before this
   // rise.
   double low = 0.0;
   for (const Rise& rise : this->Rises)
@@ -326,6 +328,6 @@ double ProfileTool::depthAtStrain(double ratio) const
     }
     low = high;
   }
-  return ratio * this->largestContactRadius(); // the depth is at the wall, beyond all rises
+  return ratio * this->largestContactRadius(); // beyond all rises, the contact ends at the wall
 }
 } // namespace palpate

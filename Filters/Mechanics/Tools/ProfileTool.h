@@ -24,28 +24,29 @@ struct ProfilePoint
  *
  * Its slope changes by m_i at r_i. In closed form, with A_i = arccos(r_i/a) and r_i < a,
  *   δ = Σ m_i a A_i,  F = 2E* (a δ - ½ Σ m_i [a² A_i - r_i √(a²-r_i²)]).
- * For depths beyond g of the wall, a flat punch is added. If the points are on a smooth profile,
- * the error of the law is proportional to the square of their spacing. Two points (0, 0), (R, 0)
- * define a flat punch.
+ * For depths beyond g at the wall, a flat punch is added. If the points are on a smooth profile,
+ * the error of the law is proportional to the square of their spacing. The two points (0, 0) and
+ * (R, 0) define a flat punch.
  *
  * If a concave profile would touch the body outside the circle of contact, the law ends at that
  * depth (DepthLimit.h). Next to an edge r_i the pressure is infinite: +inf at a convex edge, -inf
  * at a concave one.
  *
- * There is no tip radius: the strain measure is δ/a. Cost: proportional to the number of points,
- * about 30 ns per point for force and radius, 2 µs per point for pressure and displacements. The
- * construction of a profile that is not convex takes a time proportional to the square of the
- * number of points, 0.1 s for a thousand points.
+ * There is no tip radius, so that the strain measure is δ/a. The cost is proportional to the number
+ * of points, about 30 ns per point for force and radius, 2 µs per point for pressure and
+ * displacements. The construction of a profile that is not convex takes a time proportional to the
+ * square of the number of points, 0.1 s for a thousand points.
  */
 class PALPATE_EXPORT ProfileTool final : public AxisymmetricTool
 {
 public:
-  /// Returns the fault of the points, which names the first wrong point, or "".
+  /// Returns the fault of the points with the first invalid point, or "".
   static std::string check(const std::vector<ProfilePoint>& points);
-  /// Returns the fault of the last point, if the points before it have no fault.
+  /// Returns the fault of the last point, or "". The points before it must have no fault.
   static std::string checkLast(const std::vector<ProfilePoint>& points);
 
-  /// The points must pass check(): two or more, the first (0, 0), r increasing, f >= 0.
+  /// The points must pass check(): there are two or more, the first is (0, 0), r increases, and f
+  /// >= 0.
   explicit ProfileTool(std::vector<ProfilePoint> points);
 
   std::string specification() const override;

@@ -41,7 +41,7 @@ double integralOfExcess(double t)
   return 6.0 * t * t * t * t * t * sum;
 }
 
-/// Returns tan A for a contact radius a >= b.
+/// Returns tan A for a contact radius a >= b, where A = arccos(b/a).
 double tangent(double a, double b)
 {
   return std::sqrt((a - b) * (a + b)) / b;
@@ -119,7 +119,7 @@ double RoundedFlatTool::radiusAt(double deflection) const
 
 double RoundedFlatTool::forcePerModulus(double a, double deflection) const
 {
-  // The result is 2 (a δ - ∫ g dx). The integral is small if a was rounded to b.
+  // The result is 2 (a δ - ∫ g dx). The integral is negligible if a was rounded to b.
   const double b = this->Radius;
   return 2.0 * a * deflection -
     b * (b * (b / (3.0 * this->EdgeRadius))) * integralOfExcess(tangent(a, b));

@@ -18,7 +18,7 @@ namespace palpate
 class RoundedFlatTool final : public AxisymmetricTool
 {
 public:
-  /// Radius of the flat part and of the edge, mm.
+  /// `radius` is the radius of the flat part, `edgeRadius` that of the rounded edge, mm.
   RoundedFlatTool(double radius, double edgeRadius);
 
   std::string specification() const override;

@@ -7,12 +7,12 @@
 namespace palpate
 {
 /**
- * Exact sphere of radius R: with w = artanh(a/R),
+ * Exact sphere of radius R. With w = artanh(a/R),
  *   δ = R w tanh w,  F = E* [(a²+R²) w - a R],  a = R tanh w < R at every depth
  * (Sneddon 1965, sec. 5.3). To first order in a/R this is Hertz's paraboloid, F = 4/3 E* √R δ^1.5.
- * The often-copied form 4/3 √(R E*) δ^1.5 is wrong, because its unit is not that of a force.
- * Pressure and displacements outside the contact are computed by quadrature, to about 1e-11 for a/R
- * <= 0.99.
+ * The often-copied form 4/3 √(R E*) δ^1.5 is wrong, because it does not have the unit of a force.
+ * Pressure and displacements outside the contact are computed by quadrature, with an error of about
+ * 1e-11 for a/R <= 0.99.
  */
 class SphereTool final : public AxisymmetricTool
 {

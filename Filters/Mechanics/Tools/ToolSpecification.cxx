@@ -82,7 +82,7 @@ std::string checkParameter(const ToolSpecification& tool, Parameter parameter)
     " must be positive and finite (mm)" + but;
 }
 
-/// Reads the whole text as numbers separated by commas. Each number is written to one target.
+/// Reads the whole text as numbers separated by commas, one number for each target.
 bool readNumbers(const char* begin, const char* end, const std::vector<double*>& targets)
 {
   for (std::size_t i = 0; i < targets.size(); ++i)
@@ -220,7 +220,8 @@ bool parseTool(const std::string& text, ToolSpecification& specification, std::s
     }
     if (!error.empty())
     {
-      constexpr std::size_t Shown = 60; // number of letters; a profile may have thousands of points
+      // Number of characters; a profile may have thousands of points.
+      constexpr std::size_t Shown = 60;
       error.insert(0, "tool '" + text.substr(0, Shown) + (text.size() > Shown ? "…" : "") + "': ");
       return false;
     }

@@ -41,23 +41,24 @@ struct ToolSpecification
   std::vector<ProfilePoint> Profile = {};
 };
 
-/// The texts that parseTool accepts, for the help of programs: "flat:R, sphere:R, …".
+/// Returns the forms of text that parseTool() accepts, for the help of programs: "flat:R, sphere:R,
+/// …".
 PALPATE_EXPORT const char* toolSyntax();
 
-/// Returns the fault of the specification, which names the parameter and its value, or "".
+/// Returns the fault of the specification with the parameter and its value, or "".
 PALPATE_EXPORT std::string checkTool(const ToolSpecification& specification);
 
-/// Returns the tool, or null if checkTool reports a fault.
+/// Creates the tool; null if checkTool() reports a fault.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> makeTool(const ToolSpecification& specification);
 
 /**
- * Reads a tool:
+ * Reads the specification of a tool from one of these forms:
  *   flat:R  sphere:R  paraboloid:R  cone:DEGREES  truncated:R,DEGREES  blunted:R,DEGREES
  *   rounded:R,EDGE  power:EXPONENT,COEFFICIENT  profile:FILE.csv  profile:r1,f1;r2,f2;…
- * in mm and degrees from the axis. The second form of a profile is recognised by its ';'.
- * specification() writes the second form, so that a stored response needs no file. For files see
- * ProfileFile.h. On failure the function returns false, sets `error`, and leaves the specification
- * unchanged.
+ * with lengths in mm and angles in degrees from the axis. The second form of a profile is
+ * recognised by its ';'. specification() writes the second form, so that a stored response needs no
+ * file. For files see ProfileFile.h. On failure the function returns false, sets `error`, and
+ * leaves the specification unchanged.
  */
 PALPATE_EXPORT bool parseTool(
   const std::string& text, ToolSpecification& specification, std::string& error);
@@ -66,9 +67,9 @@ PALPATE_EXPORT bool parseTool(
 PALPATE_EXPORT std::optional<ToolSpecification> knownSpecification(const AxisymmetricTool& tool);
 
 /// Returns the tool with all lengths multiplied by `factor` > 0. Its force law is F(δ) → factor²
-/// F(δ/factor). A cone, and a power law of exponent 1, have no length: their tan α is multiplied by
-/// the factor instead. Null if the tool's specification cannot be parsed, or the scaled
-/// specification is invalid.
+/// F(δ/factor). A cone and a power law of exponent 1 have no length; for these tools tan α is
+/// multiplied by the factor. Returns null if the tool's specification cannot be parsed, or if the
+/// scaled specification is invalid.
 PALPATE_EXPORT std::unique_ptr<AxisymmetricTool> scaledTool(
   const AxisymmetricTool& tool, double factor);
 

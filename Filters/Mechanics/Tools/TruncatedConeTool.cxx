@@ -62,8 +62,8 @@ double TruncatedConeTool::radiusAt(double deflection) const
 
 double TruncatedConeTool::forcePerModulus(double a, double deflection) const
 {
-  // The angle is computed from δ by a A cot α = δ. Therefore it remains accurate if a was rounded
-  // to b.
+  // The angle is computed from δ by a A cot α = δ, so that it remains accurate if a was rounded to
+  // b.
   return a *
     (deflection + this->Slope * this->Edge.radius() * std::sin(deflection / (this->Slope * a)));
 }

@@ -18,7 +18,8 @@ namespace palpate
 class TruncatedConeTool final : public AxisymmetricTool
 {
 public:
-  /// Radius of the flat, mm; half angle from the axis, degrees, 0 < halfAngle < 90.
+  /// `radius` is the radius of the flat end, mm. `halfAngle` is measured from the axis, degrees, 0
+  /// < halfAngle < 90.
   TruncatedConeTool(double radius, double halfAngle);
 
   std::string specification() const override;
