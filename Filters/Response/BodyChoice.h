@@ -24,7 +24,8 @@ struct AttachedChoice
   TiltNeed tilt;             ///< set if the tool may be tilted
 };
 
-/// Replaces a body's response by its simplest form, see vtkResponseChoice.
+/// Replaces a body's response by its simplest form; see vtkResponseChoice. Returns "" or an error
+/// message.
 PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
 } // namespace palpate

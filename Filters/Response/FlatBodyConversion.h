@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Conversion between vtkPolyData with responses and the flat body file, which servo loops without
- * VTK can read.
+ * Conversion between vtkPolyData with responses and the flat body file. Servo loops without VTK can
+ * read the flat body file.
  */
 #ifndef FlatBodyConversion_h
 #define FlatBodyConversion_h
@@ -21,9 +21,9 @@ namespace palpate
 PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 
-/// Reads a flat body file as a body that has the response under the prefix `name`. All numbers are
-/// bitwise equal to the written ones. Returns null and an error that names the file if the file is
-/// not valid.
+/// Reads a flat body file. Returns a body that has the response with the prefix `name`. All numbers
+/// are bitwise equal to the written numbers. If the file is not valid, returns null and an error
+/// that names the file.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkPolyData> readFlatBody(
   const std::string& path, const std::string& name, std::string& error);
 } // namespace palpate

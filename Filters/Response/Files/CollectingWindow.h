@@ -33,7 +33,7 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // an array contains NaN; only its range is lost
+      return; // an array contains NaN; only the range of its values is missing
     }
     this->failed = true;
     if (this->error.empty() &&

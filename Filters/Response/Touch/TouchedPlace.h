@@ -14,8 +14,8 @@ namespace palpate
 /// A place on the surface of a body.
 struct TouchedPlace
 {
-  vtkIdType cell = -1;               ///< cell of the body; -1: no place
-  Vector3 point = Vector3::Zero();   ///< mm
+  vtkIdType cell = -1;               ///< cell of the body; -1 if there is no place
+  Vector3 point = Vector3::Zero();   ///< position, mm
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
   double distance = 0.0;             ///< distance from the given point to this place, mm
 };
