@@ -28,7 +28,7 @@ public:
   enum class Extent
   {
     Whole,
-    /// A piece of a body on several processes; which side of a piece is the outside is unknown
+    /// A piece of a body on several processes; the outer side of the piece is unknown.
     Piece
   };
 

@@ -27,7 +27,8 @@ constexpr std::size_t MostGeometries = 4;
 constexpr std::size_t MostBytesOfGeometries = std::size_t{ 128 } << 20;
 constexpr std::size_t BytesPerPoint = 20;
 
-/// Returns the active point normals of the body, 3 numbers per point. Empty if the body has none.
+/// Returns the active point normals of the body, 3 numbers per point. Returns an empty list if the
+/// body has none.
 std::vector<double> storedNormals(vtkPolyData* body)
 {
   vtkDataArray* stored = body->GetPointData()->GetNormals();

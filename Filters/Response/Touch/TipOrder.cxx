@@ -15,7 +15,7 @@ namespace
 {
 constexpr double LastCell = 1023.0;
 
-/// Moves bit k of the lowest ten bits of x to bit 3k.
+/// Moves each bit k of the lowest ten bits of x to the bit 3k.
 std::uint32_t spread(std::uint32_t x)
 {
   x = (x | (x << 16)) & 0x030000FFU;
