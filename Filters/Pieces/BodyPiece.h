@@ -48,7 +48,7 @@ public:
   /// Returns the distance from a tip to the nearest corner of a triangle, mm. It is infinite if
   /// there is no triangle.
   double nearest(const Vector3& tip) const;
-  /// Length of the longest edge, mm; 0 without triangles
+  /// Length of the longest edge, mm; 0 without triangles.
   double longestEdge() const noexcept { return this->LongestEdge; }
   const Eigen::AlignedBox3d& box() const noexcept { return this->Box; }
 
@@ -74,7 +74,7 @@ private:
   std::vector<double> Points;
   std::vector<std::int32_t> Triangles; ///< three points for each triangle
   std::vector<char> Finite;            ///< whether each triangle is finite
-  /// Index of each point on the seam; -1 if the point is not on the seam
+  /// Index of each point on the seam; -1 if the point is not on the seam.
   std::vector<std::int32_t> Seam;
   Eigen::AlignedBox3d Box;
   double LongestEdge = 0.0;

@@ -17,7 +17,7 @@ namespace palpate
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to)
 {
   to->ShallowCopy(from);
-  // Own list, because ShallowCopy shares the field data of the original
+  // Own list, because ShallowCopy shares the field data of the original.
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(from->GetFieldData());
   to->SetFieldData(fields);

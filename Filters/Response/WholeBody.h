@@ -11,7 +11,7 @@ namespace palpate
 /// Result of includeWholeBody.
 struct WholeBody
 {
-  /// The body, with the arrays of the compliance if it is included
+  /// The body, with the arrays of the compliance if it is included.
   vtkSmartPointer<vtkPolyData> body;
   std::string heldAt; ///< Sides at which the body is held; "" if the compliance is not included.
   /// Reason why the compliance is not included, or a repair of the surface; "" if there is neither.

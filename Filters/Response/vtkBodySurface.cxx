@@ -298,7 +298,7 @@ void vtkBodySurface::Measure(vtkPolyData* body, const palpate::Ranks& ranks)
   for (int i = 0; i < 6; i += 2)
   {
     const double side = ranks.largest(box[i + 1]) - ranks.smallest(box[i]);
-    // The side is negative if the box is empty
+    // The side is negative if the box is empty.
     this->LongestSide = std::max(this->LongestSide, side);
   }
   if (this->AskAboutSize && ranks.own() == 0 && vtkBodySurface::IsSizeDoubtful(this->LongestSide))

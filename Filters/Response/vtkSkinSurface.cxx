@@ -28,7 +28,7 @@ namespace
 {
 using Stage = palpate::FilterStage;
 
-// Largest number of voxels of the resampled scan, which take 16 GB
+// Largest number of voxels of the resampled scan, which take 16 GB.
 constexpr double MaximumVoxels = 4e9;
 
 /**

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-// Cosine of 60°; at larger angles the surface counts as differently oriented
+// Cosine of 60°; at larger angles the surface counts as differently oriented.
 constexpr double LargestTurn = 0.5;
 } // namespace
 

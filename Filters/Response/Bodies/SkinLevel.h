@@ -13,11 +13,11 @@ namespace palpate
 {
 struct SkinLevel
 {
-  /// Grey level in the unit of the scan; for labels, the middle of their range
+  /// Grey level in the unit of the scan; for labels, the middle of their range.
   double given = 0.0;
   float contour = 0.0f; ///< level of the contour, for the values after mark()
   /// Grey value of tissue; its distance above the contour equals the distance of air below the
-  /// contour
+  /// contour.
   float tissue = 0.0f;
   /// Whether the values are labels of tissues. Labels are not a measure of density. Therefore
   /// mark() replaces the smallest label by 0 and all other labels by 1.

@@ -241,7 +241,7 @@ void cutSurface(
       std::swap(lost.notFinite, found.notFinite);
       made.loss = describeDefects(lost);
     }
-    // These defects are not reported, because they remain unchanged
+    // These defects are not reported, because they remain unchanged.
     found.degenerate = found.nonManifoldEdges = 0;
     const std::string changes = describeDefects(found);
     if (!changes.empty())

@@ -26,7 +26,7 @@ struct SurfaceTriangles
   vtkSmartPointer<vtkPolyData> surface; // null after a fault
   bool isOfVolume = false;
   std::vector<std::string> notes; // changes to the input; each note is part of a sentence
-  // Description of unused input, for a warning; "" if the whole input is used
+  // Description of unused input, for a warning; "" if the whole input is used.
   std::string loss;
   std::string fault;    // the reason why no triangles were made, or ""
   bool isEmpty = false; // whether the only fault is that the input has no triangles

@@ -140,7 +140,7 @@ public:
   /// Returns an upper limit of the memory in bytes, if all data are computed.
   std::size_t bytes() const
   {
-    // This includes the copies of points and normals for the curvature of the faces
+    // This includes the copies of points and normals for the curvature of the faces.
     constexpr std::size_t perPoint = 310;
     constexpr std::size_t perTriangle = 145;
     return perPoint * this->Whole.points.size() / 3 +

@@ -159,7 +159,7 @@ std::string fillPointNormals(
   std::string wrongSide;
   if (seam.ranks().areAlone())
   {
-    // This call never fails, because a SoundBody does not wind inward
+    // This call never fails, because a SoundBody does not wind inward.
     computeNormals(body, normal, state);
   }
   else

@@ -15,7 +15,7 @@ struct BodyData
 {
   vtkSmartPointer<vtkDataSet> data; ///< null after an error
   std::vector<std::string> notes;   ///< changes to the content; each note is part of a sentence
-  /// Error message without the name of the file; "" if there is no error
+  /// Error message without the name of the file; "" if there is no error.
   std::string fault;
 };
 

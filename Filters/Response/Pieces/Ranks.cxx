@@ -66,7 +66,7 @@ std::vector<char> Ranks::gatherBytes(
     total += each;
     ends.push_back(static_cast<std::size_t>(total));
   }
-  // The size is at least 1, so that data() is not null
+  // The size is at least 1, so that data() is not null.
   std::vector<char> all(static_cast<std::size_t>(total) + 1);
   const char nothing = 0;
   this->Controller->AllGatherV(

@@ -23,7 +23,7 @@ struct TermBody
 {
   const LawRequest& request;    ///< valid, except for the settings that LawTerm::check checks
   const AxisymmetricTool& tool; ///< tool of the request
-  /// Material; null for a response that finite elements compute for the true shape
+  /// Material; null for a response that finite elements compute for the true shape.
   const BodyMaterial* material;
   double depth = 0.0; ///< upper limit of the depth of the body, mm
 };

@@ -22,7 +22,7 @@ namespace
 constexpr int Facets = 32;         // number of facets around the shaft
 constexpr double HeadRadius = 1.4; // radius of the head in shaft diameters
 constexpr double HeadLength = 3.5;
-// Largest length of the head, as a fraction of the length of the arrow
+// Largest length of the head, as a fraction of the length of the arrow.
 constexpr double LargestHead = 0.4;
 
 /// A circle at one end of a band of facets, described by its height above the tail, its radius, and

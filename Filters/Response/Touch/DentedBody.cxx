@@ -29,7 +29,7 @@ using FacetCorners = std::array<Vector3, 3>;
 
 Vector3 facetNormal(const FacetCorners& corners)
 {
-  // The length of this vector is twice the area
+  // The length of this vector is twice the area.
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 

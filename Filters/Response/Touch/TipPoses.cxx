@@ -74,7 +74,7 @@ ToolPose TipPoses::at(vtkIdType tip, const Vector3& position)
 
 ToolPose TipPoses::onset(vtkIdType tip, const Vector3& position)
 {
-  // Depth below the triangle, as a fraction of the distance from the triangle's edges
+  // Depth below the triangle, as a fraction of the distance from the triangle's edges.
   constexpr double under = 0.1;
   Vector3 point;
   Vector3 normal;

@@ -26,7 +26,7 @@ namespace palpate
 {
 namespace
 {
-// Approximate number of points of the profile, in addition to its kinks
+// Approximate number of points of the profile, in addition to its kinks.
 constexpr int ProfilePoints = 48;
 
 /// Returns the radius at which the drawn profile ends. It is the radius of the outer wall or, if

@@ -25,7 +25,7 @@ struct Sight
   /// Position of the viewer, mm. For a far viewer, it may be any point of the central line of
   /// sight.
   Vector3 eye = Vector3::Zero();
-  /// Whether the view is in perspective, with lines of sight that meet at the eye
+  /// Whether the view is in perspective, with lines of sight that meet at the eye.
   bool isNear = false;
   /// Half of the picture's size. For a far viewer it is in mm; for a near viewer it is the tangent
   /// of the half angle. If it is 0, the whole body is in the picture.

@@ -22,7 +22,7 @@ struct Touch
   double range = 0.0;     ///< Range of the response at the place of the contact, mm
   double scale = 0.0;     ///< length of the arrow per unit of force, mm/N
   PlaceValidity validity;
-  /// Distance by which the other tool lowers the surface at the place of the contact, mm
+  /// Distance by which the other tool lowers the surface at the place of the contact, mm.
   double sunk = 0.0;
   bool isAlone = false; ///< whether another tool presses and the response has no coupling
 

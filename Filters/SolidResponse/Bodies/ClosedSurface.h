@@ -16,7 +16,7 @@ namespace palpate
 /// A surface that can be filled: its merged points, its volume and its area.
 struct ClosedSurface
 {
-  /// Surface without arrays; points at the same position are merged
+  /// Surface without arrays; points at the same position are merged.
   vtkSmartPointer<vtkPolyData> surface;
   double volume = 0.0; ///< mm³
   double area = 0.0;   ///< mm²

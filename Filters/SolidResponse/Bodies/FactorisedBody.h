@@ -17,9 +17,9 @@ namespace palpate
 struct FactorRequest
 {
   ElasticMaterial material; ///< material constants, used if there is no array
-  /// Young's modulus per cell, MPa; if it is null, the constant is used
+  /// Young's modulus per cell, MPa; if it is null, the constant is used.
   vtkDataArray* young = nullptr;
-  /// Poisson's ratio per cell; if it is null, the constant is used
+  /// Poisson's ratio per cell; if it is null, the constant is used.
   vtkDataArray* poisson = nullptr;
   int solver = 0;           ///< solver, a StiffnessFactor::Kind
   double memoryLimit = 0.0; ///< MiB; 0 allows nine tenths of the available memory

@@ -41,7 +41,7 @@ private:
   double Reach;           ///< radius within which a contact needs the surface, mm
   FacingPoints OnSurface; ///< all points
   std::vector<std::vector<std::size_t>> NearbyLandmarks; ///< landmarks around each point
-  /// Angle by which the normal of the surface varies around each point, rad
+  /// Angle by which the normal of the surface varies around each point, rad.
   std::vector<float> Turns;
 };
 } // namespace palpate

@@ -21,7 +21,7 @@ struct SimplerLaw
   vtkContactTool* tool = nullptr;
   double deflection = 0.0; ///< depth of the last sample, mm
   double thickness = 0.0;  ///< thickness of the layer, mm; 0 means a half-space
-  /// Name of the point array of the surface with thicknesses; "" if there is none
+  /// Name of the point array of the surface with thicknesses; "" if there is none.
   std::string thicknesses;
   double tolerance = 0.01; ///< largest relative change of the force
 };

@@ -31,7 +31,7 @@ struct SolveRequest
   FactorRequest factor;
   double radius = 0.0;  ///< radius of the widest contact, mm
   double spacing = 0.0; ///< distance of the solved points, mm; 0 selects all points
-  /// Whether the solved points are not denser near edges (RegularGreen::solve)
+  /// Whether the solved points are not denser near edges (RegularGreen::solve).
   bool isEven = false;
 };
 
