@@ -21,7 +21,7 @@ struct SmallStrainContact
 /// Correction of a SmallStrainContact for finite strain, and the error of the corrected force.
 struct StrainShare
 {
-  double force = 0.0;      ///< corrected force, N
+  double force = 0.0;      ///< change of the force, N
   double deflection = 0.0; ///< change of δ at the corrected force, mm
   double error = 0.0;      ///< relative error of the force
 };
