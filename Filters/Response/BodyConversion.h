@@ -81,7 +81,7 @@ struct ResponseDescription
   int samples;
   std::string tool;
   std::string model;
-  int modelParts; ///< sum of ModelPart
+  int modelParts; ///< sum of the ModelPart values of the model
 };
 
 /// Attaches the field arrays Exponent, Samples, Tool, Model, ModelParts and Units.

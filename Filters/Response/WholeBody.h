@@ -16,7 +16,7 @@ struct WholeBody
   std::string heldAt; ///< Sides at which the body is held; "" if the compliance is not included.
   /// Reason why the compliance is not included, or a repair of the surface; "" if there is neither.
   std::string warning;
-  bool isComplete = true; ///< false after an abort
+  bool isComplete = true; ///< false if the work was aborted
 };
 
 /**

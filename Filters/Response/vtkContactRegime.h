@@ -131,7 +131,7 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = 0;
   bool ComplianceExcludesLayer = false;
-  std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
+  std::vector<std::array<double, 4>> AddedLayers; ///< arguments of each call of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
 };

@@ -76,7 +76,7 @@ public:
   /// Values of ContactSurface.
   enum ContactSurfaceType
   {
-    Facets = 0, ///< the triangles
+    Facets = 0, ///< the flat triangles of the mesh
     /// One patch per triangle. The patch passes through the vertices and has the normals of the
     /// response there. The normals are continuous across edges. Use this surface for round bodies
     /// with a faceted mesh.

@@ -253,7 +253,7 @@ private:
   int LayerBase = Bonded;
   bool ComplianceExcludesLayer = false;
   bool WholeBody = false;
-  std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
+  std::vector<std::array<double, 4>> AddedLayers; ///< arguments of each call of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
   bool CurvatureCorrection = true;

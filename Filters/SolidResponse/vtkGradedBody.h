@@ -158,7 +158,8 @@ private:
   double SurfaceSpacing = 0.0;
   double InteriorSpacing = 0.0;
   double Growth = 0.5;
-  std::vector<std::array<double, 5>> FineBalls; ///< centre, radius, spacing
+  /// Centre (x, y, z), radius and spacing of each ball, mm.
+  std::vector<std::array<double, 5>> FineBalls;
   double Deviation = 0.0;
   std::string FixedFaces = "z-";
   double CellEstimate = 0.0;

@@ -22,7 +22,7 @@ struct SkinLevel
   /// Whether the values are labels of tissues. Labels are not a measure of density. Therefore
   /// mark() replaces the smallest label by 0 and all other labels by 1.
   bool isLabelled = false;
-  float outside = 0.0f; ///< the smallest label
+  float outside = 0.0f; ///< the smallest label, which counts as outside the body
 
   /// Replaces labels by 0 and 1. Values that are not labels stay unchanged.
   void mark(std::vector<float>& values) const;

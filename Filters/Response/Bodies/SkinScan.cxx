@@ -17,7 +17,7 @@ namespace
  */
 struct Ball
 {
-  std::array<int, 3> reach; // voxels
+  std::array<int, 3> reach; // half the extent of the ball along x, y, z, in voxels
   std::vector<std::vector<std::pair<int, int>>> runs;
 
   Ball(double radius, const SkinScan& scan)

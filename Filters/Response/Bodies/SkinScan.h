@@ -22,7 +22,7 @@ struct SkinScan
 {
   std::array<int, 3> size;       // number of voxels along x, y, z
   std::array<double, 3> spacing; // mm, > 0
-  std::vector<float> values;     // finite, x varies fastest
+  std::vector<float> values;     // grey values, all finite; x varies fastest
 
   /** Receives the completed fraction of the work, 0 to 1. Returns false to stop. */
   using Progress = std::function<bool(double)>;

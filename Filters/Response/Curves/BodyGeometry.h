@@ -19,7 +19,7 @@ class BodySeam;
 /// the tool nor on the material.
 struct BodyGeometry
 {
-  std::vector<float> normals; ///< from fillPointNormals()
+  std::vector<float> normals; ///< point normals, from fillPointNormals()
   std::vector<unsigned char> status;
   std::unique_ptr<CurvatureBound> bound;
   BodyLengths lengths{ 0.0, 0.0 };

@@ -13,7 +13,7 @@ namespace palpate
 /// The content of a file with a body or a scan, as stored in the file.
 struct BodyData
 {
-  vtkSmartPointer<vtkDataSet> data; ///< null after an error
+  vtkSmartPointer<vtkDataSet> data; ///< content of the file; null after an error
   std::vector<std::string> notes;   ///< changes to the content; each note is part of a sentence
   /// Error message without the name of the file; "" if there is no error.
   std::string fault;

@@ -189,7 +189,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   {
     if (const auto turned = turnNormals(body, normals, before, displacement))
     {
-      data->SetNormals(turned); // replaces the old normals
+      data->SetNormals(turned); // this replaces the old point normals
     }
   }
   body->SetPoints(after);

@@ -58,7 +58,7 @@ private:
   struct Item
   {
     std::uint32_t key;
-    std::uint32_t place; ///< index in Given
+    std::uint32_t place; ///< index of the tip in Given
   };
 
   std::vector<Tip> Given;

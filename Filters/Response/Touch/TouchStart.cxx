@@ -22,7 +22,7 @@ namespace
 {
 constexpr int PlacesPerSide = 25; // an odd number, so that one place is in the middle
 constexpr int NeighbourCount = 8;
-constexpr double NeighbourDistance = 2.0; // in contact radii
+constexpr double NeighbourDistance = 2.0; // distance of the surrounding places, in contact radii
 // Best direction of the normal, as the ratio of its upward component to its component towards the
 // viewer.
 constexpr double BestLean = 0.8;

@@ -42,8 +42,9 @@ struct Sight
  * - validity: the fraction of the depth Range/2 that is within the response's validity;
  * - orientation: the factor is largest if the normal is tilted 39 degrees upward in the picture, so
  *   that force and tool are not seen from their ends;
- * - nearness to the middle of the visible part, with one half at the corners of this part. This
- *   factor prevents that the size of the triangles or a thin tail of the body determines the place.
+ * - nearness to the middle of the visible part, with one half at the corners of this part. Because
+ *   of this factor, neither the size of the triangles nor a thin tail of the body determines the
+ *   place.
  *
  * If the picture shows no part of the body with a response, the whole body is viewed from the same
  * direction, then along the axes. The cell is -1 if the body has no response at all.

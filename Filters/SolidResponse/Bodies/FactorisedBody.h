@@ -21,7 +21,7 @@ struct FactorRequest
   vtkDataArray* young = nullptr;
   /// Poisson's ratio per cell; if it is null, the constant is used.
   vtkDataArray* poisson = nullptr;
-  int solver = 0;           ///< solver, a StiffnessFactor::Kind
+  int solver = 0;           ///< solver, as a value of StiffnessFactor::Kind
   double memoryLimit = 0.0; ///< MiB; 0 allows nine tenths of the available memory
 };
 

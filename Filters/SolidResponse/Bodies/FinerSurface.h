@@ -39,8 +39,9 @@ private:
   const float* Normals;
   BodyMesh Mesh;
   double Reach;           ///< radius within which a contact needs the surface, mm
-  FacingPoints OnSurface; ///< all points
-  std::vector<std::vector<std::size_t>> NearbyLandmarks; ///< landmarks around each point
+  FacingPoints OnSurface; ///< all points of the surface
+  /// Landmarks around each point of the surface.
+  std::vector<std::vector<std::size_t>> NearbyLandmarks;
   /// Angle by which the normal of the surface varies around each point, rad.
   std::vector<float> Turns;
 };

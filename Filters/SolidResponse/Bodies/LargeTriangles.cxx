@@ -37,7 +37,7 @@ std::vector<LargeTriangle> sampleTriangles(
   vtkPolyData* surface, const YieldField& field, const std::vector<double>& radii)
 {
   std::vector<LargeTriangle> found;
-  std::vector<Eigen::Matrix3d> places; // one corner per column
+  std::vector<Eigen::Matrix3d> places; // corners of each triangle, one corner per column
   vtkNew<vtkIdList> points;
   for (vtkIdType t = 0; t < surface->GetNumberOfCells(); ++t)
   {

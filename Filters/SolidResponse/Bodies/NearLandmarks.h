@@ -29,7 +29,7 @@ public:
 
 private:
   const LandmarkKernels& Landmarks;
-  FacingPoints OnSolid; ///< the landmarks only
+  FacingPoints OnSolid; ///< landmarks on the surface of the solid
   HeldPlaces Held;      ///< held part of the solid
 };
 } // namespace palpate

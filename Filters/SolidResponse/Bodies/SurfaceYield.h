@@ -21,8 +21,8 @@ class MeshDifference;
 struct SurfaceYield
 {
   std::vector<double> compliance;
-  std::vector<double> error;         ///< >= 0
-  std::vector<unsigned char> status; ///< a PatchStatus per point
+  std::vector<double> error;         ///< error of the compliance, mm/N, >= 0
+  std::vector<unsigned char> status; ///< PatchStatus of each point
 };
 
 /// Compliance of a body in addition to that of a half-space at one position, mm/N, with one value

@@ -21,7 +21,7 @@ struct TissueScan
 {
   vtkImageData* image = nullptr;
   vtkDataArray* values = nullptr; ///< one component per point of the image
-  TissueMap map;                  ///< not empty
+  TissueMap map;                  ///< materials by value of the image; not empty
   /// Whether values are labels. If not, they are quantities on a continuous scale.
   bool hasLabels = true;
   ElasticMaterial outside; ///< material outside the image

@@ -16,7 +16,7 @@ struct VoxelGrid
   std::array<int, 3> size{}; ///< number of voxels along each axis
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
-  std::vector<unsigned char> inside; ///< x varies fastest
+  std::vector<unsigned char> inside; ///< 1 for each inside voxel, else 0; x varies fastest
 
   /// Returns the index of a voxel.
   std::size_t voxel(int i, int j, int k) const;

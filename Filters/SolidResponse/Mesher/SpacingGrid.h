@@ -22,7 +22,8 @@ struct FineBall
 struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
-  std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise as seen from outside
+  /// Corners of each triangle, counter-clockwise as seen from outside.
+  std::vector<std::array<std::int32_t, 3>> triangles;
   /// Edges of triangles that cells must follow, even if the surface is nearly flat at the edge.
   std::vector<std::array<std::int32_t, 2>> rims;
   std::vector<double> spacing;  ///< spacing of the cells at each point

@@ -53,7 +53,7 @@ struct MeanOfPushes
   }
   double small = 0.0;  ///< force at small strain, N
   double open = 0.0;   ///< half of the relative difference of the two forces
-  double force = 0.0;  ///< N; 0 without a contact
+  double force = 0.0;  ///< corrected force, N; 0 without a contact
   double strain = 0.0; ///< relative error of the correction for finite strain
 };
 

@@ -39,7 +39,7 @@ public:
   /// Chooses the order of elimination. Returns "" or an error message. After this call,
   /// memoryEstimate() is the memory that factorise() needs.
   std::string analyse(StiffnessFactor::Kind kind);
-  double memoryEstimate() const; ///< In bytes.
+  double memoryEstimate() const; ///< Returns the estimated memory of the factorisation, bytes.
   std::string factorise();
 
   const VolumeMesh& mesh() const { return this->Input.mesh; }

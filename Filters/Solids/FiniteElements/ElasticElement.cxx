@@ -117,7 +117,7 @@ bool hexahedronWithModes(
     return false;
   }
   const Eigen::Matrix3d centreInverse = centre.inverse();
-  GradientSum<11> sum; // eight nodes and three modes
+  GradientSum<11> sum; // gradients of eight nodes and three modes
   for (int q = 0; q < 8; ++q)
   {
     Eigen::Matrix<double, 3, 11> gradients;

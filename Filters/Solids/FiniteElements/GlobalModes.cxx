@@ -188,7 +188,7 @@ GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& complia
   const BodySurface& surface = body.surface();
   const std::vector<std::int32_t> landmarks =
     spreadLandmarks(surface, compliances, modeTotal(count) * LandmarksPerMode);
-  std::vector<Eigen::Matrix3Xd> pulled; // g_j, one per landmark
+  std::vector<Eigen::Matrix3Xd> pulled; // fields g_j, one per landmark
   const RegularField field(body, radius);
   const auto total = static_cast<double>(landmarks.size());
   for (std::size_t j = 0; j < landmarks.size(); ++j)

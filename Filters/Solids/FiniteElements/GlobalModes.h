@@ -37,7 +37,7 @@ struct GlobalModes
   /// the last matrices are zero.
   std::vector<Eigen::Matrix3Xd> fields;
   std::vector<int> signs;              ///< s_k: 1 or -1
-  std::vector<std::int32_t> landmarks; ///< points of the surface
+  std::vector<std::int32_t> landmarks; ///< surface points from whose fields the modes were computed
   /// Error of the fields: |G - Gᵀ| / |G + Gᵀ|, which is 0 for exact fields (Betti).
   double asymmetry = 0.0;
   /// Root mean square of C_g - Σ_k s_k (n·φ_k)² over the valid points, relative to the root mean

@@ -13,7 +13,8 @@ namespace palpate
 struct UnitMotion
 {
   Eigen::Vector3d about = Eigen::Vector3d::Zero(); ///< position of the loads, mm
-  std::array<Eigen::Matrix3Xd, 6> nodes;           ///< mm, one matrix per load
+  /// Displacements of the nodes, mm, one matrix per load.
+  std::array<Eigen::Matrix3Xd, 6> nodes;
 };
 
 /// A position in an element, in the element's own coordinates (ElasticElement.h).

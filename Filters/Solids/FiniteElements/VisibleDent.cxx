@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double DentEnds = 0.5;            // cos 60°
-constexpr double DentIsWhole = 0.642787610; // cos 50°
+constexpr double DentEnds = 0.5;            // cos 60°; beyond this angle the dent is not included
+constexpr double DentIsWhole = 0.642787610; // cos 50°; up to this angle the whole dent is included
 } // namespace
 
 std::vector<double> dentFades(const BodySurface& surface, std::int32_t point)

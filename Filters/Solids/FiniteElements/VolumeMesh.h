@@ -31,8 +31,8 @@ PALPATE_EXPORT int faceCount(ElementKind kind);
 /// first two corners.
 struct ElementFace
 {
-  int corners = 0; ///< 3 or 4
-  int nodes = 0;   ///< 3, 4 or 6
+  int corners = 0; ///< number of corners, 3 or 4
+  int nodes = 0;   ///< number of nodes, 3, 4 or 6
   std::array<int, 6> node{};
 };
 PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);

@@ -50,7 +50,7 @@ std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
   }
   if (samples.empty())
   {
-    return samples; // this avoids that energyErrors() visits every element
+    return samples; // without this return, energyErrors() would visit every element
   }
   const std::vector<double> energies = energyErrors(body, moved);
   for (std::size_t k = 0; k < samples.size(); ++k)
@@ -73,7 +73,7 @@ double BendingError::medianAround(const std::vector<double>& squares) const
   const auto last = static_cast<std::ptrdiff_t>(std::min(NearestOfMedian, nearest.size())) - 1;
   std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
   const double alike = nearest[static_cast<std::size_t>(last)];
-  std::vector<std::pair<double, double>> weighted; // ratios and their weights
+  std::vector<std::pair<double, double>> weighted; // ratios e / bending, and their weights
   double total = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i)
   {
@@ -103,7 +103,7 @@ double BendingError::at(const Eigen::Vector3d& place) const
   {
     return Assumed;
   }
-  std::vector<double> squares; // squared distances, mm²
+  std::vector<double> squares; // squared distances of the samples from `place`, mm²
   for (const Sample& sample : this->Samples)
   {
     squares.push_back(std::max((sample.place - place).squaredNorm(), 1e-300));

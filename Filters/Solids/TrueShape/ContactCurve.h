@@ -84,8 +84,8 @@ private:
   std::size_t intervalOf(double deflection) const;
 
   std::vector<ContactSample> Samples;
-  std::vector<double> Abscissae; ///< ln δ, or δ
-  std::vector<double> Ordinates; ///< ln F, or F
+  std::vector<double> Abscissae; ///< ln δ, or δ for a flat end
+  std::vector<double> Ordinates; ///< ln F, or F for a flat end
   std::vector<double> Slopes;
   double Exponent = 1.0;
   bool FlatEnd = false;

@@ -72,8 +72,8 @@ double changeOfCompliance(const Eigen::Matrix3d& directed, const Eigen::Vector2d
 struct Unevenness
 {
   double depth = 0.0; ///< reduction of δ under the same force, mm
-  double left = 0.0;  ///< error of this reduction, mm
-  double slope = 0.0; ///< mean square slope
+  double left = 0.0;  ///< error of `depth`, mm
+  double slope = 0.0; ///< mean square slope of the surface under the contact
   double cells = 0.0; ///< error of the cells, as a fraction of the force
 };
 

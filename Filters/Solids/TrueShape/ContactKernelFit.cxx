@@ -115,7 +115,7 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
 /// The fit on one disc.
 struct DiscFit
 {
-  Eigen::MatrixXd rows; ///< result of fitOperator()
+  Eigen::MatrixXd rows; ///< matrix of the fit, from fitOperator()
   Eigen::Index count = 0;
   double disc = 0.0; ///< radius of the disc, mm
   int order = 0;

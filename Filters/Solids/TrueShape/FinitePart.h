@@ -56,9 +56,12 @@ public:
   /// Adds a fraction of the second derivatives in the undeformed state to stiffness(), border() and
   /// corner().
   void stiffen(double share);
-  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< nodes × nodes
-  const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × loads
-  const Eigen::MatrixXd& corner() const { return this->Corner; }             ///< loads × loads
+  /// Second derivatives of the potential, nodes × nodes.
+  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; }
+  /// Second derivatives of the potential, nodes × loads.
+  const Eigen::MatrixXd& border() const { return this->Border; }
+  /// Second derivatives of the potential, loads × loads.
+  const Eigen::MatrixXd& corner() const { return this->Corner; }
 
   struct Pressed
   {

@@ -50,13 +50,13 @@ private:
   struct Landmark
   {
     KernelSite site;
-    std::vector<Entry> entries; ///< one per radius of Radii
+    std::vector<Entry> entries; ///< kernels of the landmark, one entry per radius of Radii
   };
 
   const RegularGreen& Green;
-  std::vector<double> Radii; ///< in ascending order, mm
+  std::vector<double> Radii; ///< contact radii of the kernels in ascending order, mm
   std::vector<std::int32_t> Points;
-  std::vector<Landmark> Landmarks; ///< one per point of Points
+  std::vector<Landmark> Landmarks; ///< one landmark per point of Points
   bool Complete = false;
 };
 
@@ -117,7 +117,7 @@ private:
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
   const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels
-  std::vector<Blend> Blends;                  ///< one per radius
+  std::vector<Blend> Blends;                  ///< blended kernels, one per radius of Radii
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;
 };

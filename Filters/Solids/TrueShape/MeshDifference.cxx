@@ -21,8 +21,8 @@ constexpr double FacingCosine = 0.5; ///< cosine of 60°, for normals that count
 constexpr double ReachOfMean = 2.0;
 /// Smallest number of landmarks. If fewer are within the radius, a larger radius is used.
 constexpr std::size_t LeastOfMean = 6;
-/// Factor on the squared distance of the last of these landmarks. It prevents that the weight of
-/// this landmark is zero.
+/// Factor on the squared distance of the last of these landmarks. It keeps the weight of this
+/// landmark above zero.
 constexpr double LastDistanceFactor = 2.0;
 /// Smallest ratio k of the spacings. With a smaller ratio, the difference of the meshes is
 /// unreliable.

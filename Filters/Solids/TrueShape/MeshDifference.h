@@ -46,7 +46,7 @@ private:
 
   Sample sample(const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;
 
-  std::vector<double> Radii; ///< in ascending order, mm
+  std::vector<double> Radii; ///< contact radii in ascending order, mm
   std::vector<Sample> Samples;
 };
 } // namespace palpate

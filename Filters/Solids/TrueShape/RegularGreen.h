@@ -112,10 +112,10 @@ private:
   bool IsEven = false;
   /// Points given to solve(), in ascending order.
   std::vector<std::int32_t> Points;
-  std::vector<SurfaceDisc> Discs;                         ///< one per point of Points
-  SourceErrors Errors;                                    ///< one per point of Points
-  std::vector<std::int32_t> Sources;                      ///< in ascending order
-  std::vector<Row> Rows;                                  ///< one per source of Sources
+  std::vector<SurfaceDisc> Discs;    ///< one per point of Points
+  SourceErrors Errors;               ///< one per point of Points
+  std::vector<std::int32_t> Sources; ///< solved surface points, in ascending order
+  std::vector<Row> Rows;             ///< one per source of Sources
   std::vector<std::vector<BendingError::Sample>> Bending; ///< one entry per block of sources
 };
 } // namespace palpate

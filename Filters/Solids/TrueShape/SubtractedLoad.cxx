@@ -65,7 +65,7 @@ struct SubtractedLoad::Work
   BoussinesqField field;
   Eigen::Matrix3Xd nodes;
   Eigen::Matrix3Xd forces;
-  std::int32_t own;                 ///< node at X
+  std::int32_t own;                 ///< surface node at X
   std::vector<unsigned char> under; ///< 1 for a node where the singular field is used
   /// Whether there are nodes at which the singular field is not used.
   bool overhangs = false;

@@ -14,7 +14,7 @@ struct SingularSource
 {
   std::int32_t point = 0;   ///< surface point
   Eigen::Matrix3d frame;    ///< columns: two tangents and the inward normal at X
-  Eigen::Vector3d origin;   ///< X, mm
+  Eigen::Vector3d origin;   ///< position of X, mm
   ElasticMaterial material; ///< material at X
 
   SingularSource(const ElasticBody& body, std::int32_t surfacePoint);

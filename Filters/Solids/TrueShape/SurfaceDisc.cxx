@@ -27,7 +27,7 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-constexpr double AlikeModulus = 0.05; ///< relative
+constexpr double AlikeModulus = 0.05; ///< largest relative difference of E
 constexpr double AlikeRatio = 0.01;
 
 /// Returns whether all elements at a point have nearly the given material.

@@ -24,7 +24,7 @@ struct DiscPoint
   Eigen::Vector2d at;    ///< mm
   double drop = 0.0;     ///< distance below the tangent plane, mm (SmoothSurface)
   double area = 0.0;     ///< a third of the area of the triangles around the point, mm²
-  double distance = 0.0; ///< |at|
+  double distance = 0.0; ///< distance from the middle point, |at|, mm
 };
 
 /**

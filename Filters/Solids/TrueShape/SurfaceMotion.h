@@ -17,7 +17,7 @@ struct SurfaceMotion
 {
   GlobalModes modes;
   std::vector<std::int32_t> points; ///< sources that can be pressed, in ascending order
-  std::vector<NearField> near;      ///< one per point of `points`
+  std::vector<NearField> near;      ///< near fields, one per point of `points`
 };
 
 /**

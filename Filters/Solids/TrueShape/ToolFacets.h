@@ -25,7 +25,7 @@ struct DirectPlace
 struct ToolFacet
 {
   int corners = 0;
-  std::vector<std::int32_t> nodes; ///< the corners are first
+  std::vector<std::int32_t> nodes; ///< nodes of the facet, the corners first
   Eigen::Matrix3Xd places;         ///< positions of the nodes, mm
   Eigen::Vector3d area;            ///< outward area vector, mm²
 };

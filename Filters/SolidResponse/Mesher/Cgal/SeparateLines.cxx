@@ -166,7 +166,7 @@ private:
 
   double Length;
   std::vector<Line> Lines;
-  std::vector<double> Totals; ///< length of each line
+  std::vector<double> Totals; ///< length of each line, mm
   std::vector<Place> Places;
   /// Whether a segment is too close to another segment, for each line and each segment.
   std::vector<std::vector<bool>> IsNear;
