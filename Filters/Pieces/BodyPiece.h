@@ -39,7 +39,8 @@ class BodyPiece
 public:
   /// Names of the arrays that cut() adds to the arrays of the response.
   static constexpr const char* SeamArray = "PalpateSeam";
-  static constexpr const char* CellArray = "PalpateCell"; ///< int per triangle: cell of the piece
+  /// Int per triangle; id of the triangle's cell in the piece.
+  static constexpr const char* CellArray = "PalpateCell";
 
   /// `body` must have passed checkTriangles, or be empty.
   BodyPiece(vtkPolyData* body, const BodySeam& seam);
@@ -72,8 +73,8 @@ private:
 
   vtkSmartPointer<vtkPolyData> Body;
   std::vector<double> Points;
-  std::vector<std::int32_t> Triangles; ///< three points for each triangle
-  std::vector<char> Finite;            ///< whether each triangle is finite
+  std::vector<std::int32_t> Triangles; ///< three point ids for each triangle
+  std::vector<char> Finite;            ///< whether the coordinates of each triangle are finite
   /// Index of each point on the seam; -1 if the point is not on the seam.
   std::vector<std::int32_t> Seam;
   Eigen::AlignedBox3d Box;

@@ -301,7 +301,8 @@ std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body, const std:
   }
   if (arrays.edges.areFelt() != (same.edges != nullptr))
   {
-    return makeContactBody(body, name, error); // only one of the two bodies is cut along its edges
+    // Only one of the two bodies is cut along its sharp edges, so their surfaces differ.
+    return makeContactBody(body, name, error);
   }
   arrays.multipleOf = isMultiple ? &same.response : nullptr;
   const FilterThreads threads;

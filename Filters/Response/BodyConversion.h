@@ -23,9 +23,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Checks the cells of a body: it must have only triangles. Other polygons, strips, corners that
-/// refer to a missing point, and more than 2^31 points are errors. Returns "" if the cells are
-/// valid, else an error message.
+/// Checks the cells of a body, which must have only triangles. These are errors: other polygons,
+/// strips, corners that refer to a missing point, and more than 2^31 points. Returns "" if the
+/// cells are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
 /// copyTriangles returns three point indices per triangle, and copyPoints returns x, y, z per
@@ -102,8 +102,8 @@ struct ResponseModel
 PALPATERESPONSE_EXPORT void describeModel(
   vtkPolyData* body, const std::string& name, const ResponseModel& model);
 
-/// Name of the point array with the body's motion, computed by finite elements
-/// (vtkElasticCompliance).
+/// Name of the point array with the motion of the body, which vtkElasticCompliance computes by
+/// finite elements.
 constexpr const char* CouplingModesName = "CouplingModes";
 
 /// Attaches the field arrays RelaxationStrength and RelaxationTime. Replaces existing ones.

@@ -152,8 +152,8 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
 
 namespace
 {
-/// Reads the layer stack from the body's arrays. The stack has no layers if the arrays are missing
-/// or invalid.
+/// Reads the layer stack from the arrays of the body. If the arrays are missing or invalid, the
+/// stack has no layers.
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {

@@ -39,7 +39,8 @@ public:
 
   struct Request
   {
-    const AxisymmetricTool* tool = nullptr; ///< not needed if this process has no piece of the body
+    /// Tool of the contact; not needed if this process has no piece of the body.
+    const AxisymmetricTool* tool = nullptr;
     std::string responseName;
     FieldSettings settings;
   };
@@ -48,7 +49,7 @@ public:
   /// Collective. Returns "" or an error message, the same on all ranks.
   std::string displace(const Ranks& ranks, vtkPolyData* body, const FieldContact& contact, int rank,
     const Request& request, vtkFloatArray* displacement);
-  /// Sentences about the parts of the field that displace() has left out. Missing modes are
+  /// Returns sentences about the parts of the field that displace() has left out. Missing modes are
   /// reported once.
   const std::vector<std::string>& warnings() const { return this->Warnings; }
 

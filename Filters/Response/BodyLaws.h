@@ -25,7 +25,7 @@ namespace palpate
 class AxisymmetricTool;
 struct MeasuredBodyError;
 
-/// Input of attachResponse and attachRegime: a tool that is pressed into a material.
+/// Input of attachResponse and attachRegime. It describes a tool that is pressed into a material.
 struct LawRequest
 {
   vtkContactTool* tool = nullptr;
@@ -36,7 +36,7 @@ struct LawRequest
   BodyMaterial::Constants material{ 0.1, 0.45, 0.0, LayerBase::Bonded, false };
   MaterialArrays arrays;
   int samples = 8;     ///< number of samples of a curve, for a response
-  LawTerms terms = {}; ///< optional terms, for a response
+  LawTerms terms = {}; ///< optional terms of the law, for a response
   /// Error of the material, for a response with a measured material.
   const MeasuredBodyError* measured = nullptr;
   RelaxationRequest relaxation = {}; ///< relaxation of the body, for a response

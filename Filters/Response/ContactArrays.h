@@ -25,7 +25,8 @@ namespace palpate
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
-  /// The values are not initialised: every tip must be stored before the arrays are attached.
+  /// The values are not initialised. Therefore every tip must be stored before the arrays are
+  /// attached.
   explicit ContactArrays(vtkIdType tips, bool relaxes = false, bool hasAxes = false);
 
   /// Stores the contact of a tip. `firstPoly` is the cell id of the body's first triangle. Several

@@ -16,8 +16,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Writes the triangles and the response with prefix `name` as a FlatBodyFile. Returns "" or an
-/// error that names the array or the file.
+/// Writes the triangles and the response with the prefix `name` to the flat body file `path`.
+/// Returns "" or an error that names the array or the file.
 PALPATERESPONSE_EXPORT std::string writeFlatBody(
   vtkPolyData* body, const std::string& name, const std::string& path);
 

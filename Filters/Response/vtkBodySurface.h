@@ -115,7 +115,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether an implausible size raises a warning. Default on. */
+  /** Whether a warning is issued for a body of implausible size. Default on. */
   vtkSetMacro(AskAboutSize, bool);
   vtkGetMacro(AskAboutSize, bool);
   vtkBooleanMacro(AskAboutSize, bool);
@@ -130,7 +130,7 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
-  /** The longest side of the axis-aligned box around the last body, mm; 0 if the body is empty. */
+  /** Longest side of the axis-aligned bounding box of the last body, mm; 0 if the body is empty. */
   vtkGetMacro(LongestSide, double);
 
   /**

@@ -68,8 +68,8 @@ public:
     Paper = 0,
     /// Σ n_i f_i along the direction of Σ n_i U_i, normalised.
     NormalizedDirection = 1,
-    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface. A
-    /// closed path within one contact neither gains nor loses energy.
+    /// The gradient of the energy Σ n_i e_i, with e_i = ∫ f_i dδ, along the normal of the surface.
+    /// A closed path within one contact neither gains nor loses energy.
     EnergyConsistent = 2
   };
 
@@ -83,7 +83,8 @@ public:
     Smooth = 1
   };
 
-  /// Values of FrictionModel: behaviour of a contact before it slides at μ times the normal force.
+  /// Values of FrictionModel, which is the behaviour of a contact before it slides. It slides at μ
+  /// times the normal force.
   enum FrictionModelType
   {
     /// The contact sticks elastically with TangentialStiffness, and creeps near the limit. It does
@@ -163,7 +164,7 @@ public:
   ///@}
 
   ///@{
-  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Used by ShapeDerived friction only. */
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Only ShapeDerived friction uses it. */
   void SetPoissonRatio(double ratio) { this->Assign(this->Values.friction.poissonRatio, ratio); }
   double GetPoissonRatio() { return this->Values.friction.poissonRatio; }
   ///@}

@@ -124,7 +124,10 @@ public:
   ///@}
 
   ///@{
-  /** Half angle of a cone of any kind, degrees from its axis, between 0 and 90. Default 60. */
+  /**
+   * Half angle of any cone (Cone, TruncatedCone, BluntedCone), degrees from the axis, between 0 and
+   * 90. Default 60.
+   */
   vtkSetMacro(HalfAngle, double);
   vtkGetMacro(HalfAngle, double);
   ///@}

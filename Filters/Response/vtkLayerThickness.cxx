@@ -55,7 +55,7 @@ double LargestSpacing(vtkImageData* scan)
   return std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
-/** Reads the scan along rays into the body. */
+/** Reads the grey values of the scan along rays into the body. */
 class Rays
 {
 public:
@@ -67,7 +67,7 @@ public:
     , Criteria{ baseValue, static_cast<std::ptrdiff_t>(std::ceil(edge / this->Step)),
       static_cast<std::ptrdiff_t>(std::ceil(LargestSpacing(scan) / this->Step)) }
   {
-    // The interpolator reads the active scalars.
+    // The scalars are set as active scalars, because the interpolator reads the active scalars.
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
@@ -285,7 +285,7 @@ int vtkLayerThickness::RequestData(
   const palpate::NormalSurface surface{ body->GetPoints(), normals->GetPointer(0), locator };
   const Rays findBase(scan, grey, this->MaximumDepth, this->EdgeWidth, this->BaseValue);
 
-  // Find the base under each point.
+  // This step finds the base under each point.
   std::vector<float> depth(static_cast<std::size_t>(count), NotFound);
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<std::vector<double>> samples;
@@ -313,7 +313,8 @@ int vtkLayerThickness::RequestData(
       }
     });
 
-  // Combine the depths around each point. Without neighbours each point keeps its own depth.
+  // This step combines the depths around each point. Without neighbours, each point keeps its own
+  // depth.
   const palpate::BaseNeighbours around(surface, this->SmoothingRadius);
   std::vector<float> medians = depth;
   const bool smoothed = read &&

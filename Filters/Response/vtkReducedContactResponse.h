@@ -59,7 +59,7 @@ public:
   vtkTypeMacro(vtkReducedContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms of a stored response, in ascending number of stored numbers.
+  /// The forms of a stored response, in ascending order of the amount of stored numbers.
   enum FormType
   {
     OneLaw = 0,
@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the force, > 0. Below about 1e-6 the rounding of floats limits the
-   * accuracy. Default 0.01: a tenth of the difference that a hand can notice.
+   * Largest relative error of the force, > 0. Below about 1e-6, the rounding of floats limits the
+   * accuracy. Default 0.01, which is a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -77,7 +77,7 @@ public:
   vtkTypeMacro(vtkResponseChoice, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms that may suffice, simplest first.
+  /// The possible forms of the response, simplest first.
   enum VerdictType
   {
     PointForce = 0,
@@ -89,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Largest error of the force, > 0, as defined above for laws and for a point force. Default 0.01:
-   * a tenth of the difference that a hand can notice.
+   * Largest error of the force, > 0, as defined above for laws and for a point force. Default 0.01,
+   * which is a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -36,7 +36,7 @@ struct NamedResponse
   bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
 };
 
-/// Selects `count` of the ids, evenly spaced, including the first and the last.
+/// Returns `count` of the ids, evenly spaced, including the first and the last id.
 std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t count)
 {
   std::vector<vtkIdType> kept;

@@ -126,7 +126,7 @@ int vtkSkinSurface::RequestData(
     output->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   if (image->GetNumberOfPoints() == 0 || piece > 0)
   {
-    return 1; // the first piece gets the whole skin
+    return 1; // only the first piece of the output contains the skin, as a whole
   }
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, input);
   const std::string problem = Problem(image, scalars, this->ClosingRadius, this->Resolution);
@@ -149,7 +149,7 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Close the openings, and fill the cavities behind them.
+  // This step closes the openings, and fills the cavities behind them.
   palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
   level.mark(scan.values);
   if (this->ClosingRadius > 0.0 &&

@@ -229,7 +229,7 @@ private:
   /// Reports the fault as an error, unless it is "".
   bool Fail(const std::string& fault);
 
-  vtkSmartPointer<vtkContactSettings> Settings; ///< never null
+  vtkSmartPointer<vtkContactSettings> Settings; ///< settings of the contact; never null
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
   bool TipIsSet = false;
   bool SecondTip = false;

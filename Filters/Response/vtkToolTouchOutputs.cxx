@@ -68,7 +68,8 @@ bool vtkToolTouch::MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyD
   {
     const palpate::Touch& touch = touches[i];
     const double radius =
-      touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0; // mm
+      // Contact radius, mm.
+      touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0;
     palpate::ChosenTip tip;
     palpate::chooseTip(palpate::Ranks(), this->Probed, static_cast<vtkIdType>(i), tip);
     if (touch.sunk != 0.0)

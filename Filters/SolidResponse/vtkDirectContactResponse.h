@@ -126,7 +126,7 @@ public:
   ///@}
 
   ///@{
-  /** Number of pressed points and of replaced curves in the last run. */
+  /** Number of pressed points and number of replaced curves in the last run. */
   vtkGetMacro(NumberOfPresses, vtkIdType);
   vtkGetMacro(NumberOfReplaced, vtkIdType);
   ///@}

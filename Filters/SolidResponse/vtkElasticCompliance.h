@@ -221,7 +221,10 @@ public:
    */
   vtkGetMacro(NeglectedByModes, double);
 
-  /** Estimated memory of the last factorisation, MiB; also set if it was refused. */
+  /**
+   * Estimated memory of the last factorisation, MiB. It is also set if the factorisation was
+   * refused.
+   */
   vtkGetMacro(MemoryEstimate, double);
 
 protected:

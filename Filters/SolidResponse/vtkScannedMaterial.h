@@ -77,7 +77,10 @@ public:
   ///@}
 
   ///@{
-  /** Whether values are labels of tissues (default) or quantities on a continuous scale. */
+  /**
+   * Whether the values of the image are labels of tissues (default) or quantities on a continuous
+   * scale.
+   */
   vtkSetMacro(Labels, bool);
   vtkGetMacro(Labels, bool);
   vtkBooleanMacro(Labels, bool);

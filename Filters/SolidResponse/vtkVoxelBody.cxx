@@ -35,7 +35,7 @@ namespace
 /// Depth of the core below the surface, in spacings. The layer of hexahedra fills this gap.
 constexpr double LayerDepth = 0.4;
 
-/// Edges of the surface that are sharper than this are kept, degrees.
+/// Edges of the surface with a larger dihedral angle than this are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
 /// Longest outward search for the surface, relative to the distance of the closest point. The ratio
@@ -44,7 +44,7 @@ constexpr double LongestReach = 1.75;
 /// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;
 constexpr double BytesPerVoxel = 310.0;
-/// Largest number of points of the grid, well within the range of 32 bits.
+/// Largest number of grid points. It is well within the range of 32 bits.
 constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
 
 /// Tolerance of the intersection with a line, relative to the spacing. With a tolerance of 0,

@@ -72,7 +72,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether a layer joins the voxels to the surface. Default on. */
+  /** Whether a layer of hexahedra joins the voxels to the surface. Default on. */
   vtkSetMacro(Conform, bool);
   vtkGetMacro(Conform, bool);
   vtkBooleanMacro(Conform, bool);

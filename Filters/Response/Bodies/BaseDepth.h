@@ -9,7 +9,7 @@ namespace palpate
 /// Criteria for a dark base under brighter tissue along a ray of grey values.
 struct BaseCriteria
 {
-  double baseValue;         ///< a sample below this value is dark
+  double baseValue;         ///< grey value; a sample below this value is dark
   std::ptrdiff_t edge;      ///< width of a blurred edge in samples, > 0
   std::ptrdiff_t darkCount; ///< smallest number of dark samples of a base
 };

@@ -24,13 +24,13 @@ struct YieldRequest
 {
   double youngsModulus = 0.1; ///< MPa
   double poissonRatio = 0.45;
-  double radius = 2.0; ///< radius of the contact for which the compliance is computed, mm
+  double radius = 2.0; ///< contact radius for which the compliance is computed, mm
   /// Value of FixedFaces. If it is "", the body is held at the side on which it rests most stably.
   std::string fixed;
   int cells = 12000; ///< approximate upper limit of the number of finite elements
 };
 
-/// Name of the array that attachYield() attaches.
+/// Name of the array of compliances that attachYield() attaches.
 constexpr const char* FoundCompliance = "GlobalCompliance";
 
 /// Largest Poisson's ratio of the finite elements.
@@ -47,8 +47,8 @@ struct BodyYield
   /// use the motion.
   std::vector<float> modes;
   std::vector<signed char> signs;
-  std::string heldAt;                ///< the sides at which the body is held
-  std::vector<std::string> warnings; ///< repairs of the surface
+  std::string heldAt;                ///< sides of the body at which it is held
+  std::vector<std::string> warnings; ///< descriptions of repairs of the surface
 };
 
 /// Functions of the module Solids that the library Response calls (ModuleFile.h).
@@ -76,9 +76,9 @@ PALPATERESPONSE_EXPORT std::string findYield(vtkPolyData* body, const YieldReque
 PALPATERESPONSE_EXPORT bool isAccurate(
   const BodyYield& found, vtkPolyData* body, const YieldRequest& request);
 
-/// Attaches `GlobalCompliance`, `GlobalComplianceError` (double, mm/N), `ComplianceStatus` (uint8),
-/// `GlobalMode0`... (float 3, sqrt(mm/N)) and the field array `GlobalModeSign` to the body from
-/// which `found` was computed.
+/// Attaches the members of `found` to the body from which it was computed. The arrays are
+/// `GlobalCompliance` and `GlobalComplianceError` (double, mm/N), `ComplianceStatus` (uint8),
+/// `GlobalMode0`... (float 3, sqrt(mm/N)) and the field array `GlobalModeSign`.
 PALPATERESPONSE_EXPORT void attachYield(const BodyYield& found, vtkPolyData* body);
 } // namespace palpate
 

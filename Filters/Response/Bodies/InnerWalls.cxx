@@ -105,7 +105,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      // Removes the walls of structured pieces, which are faces of ghost cells.
+      // This removes the walls of structured pieces, which are faces of ghost cells.
       withoutGhosts->RemoveGhostCells();
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
@@ -141,7 +141,7 @@ void removeInnerWalls(
       }
     }
     kept->RemoveDeletedCells();
-    vtkNew<vtkCleanPolyData> used; // removes the points inside the walls
+    vtkNew<vtkCleanPolyData> used; // this removes the points inside the walls
     used->SetInputData(kept);
     used->PointMergingOff();
     used->Update();

@@ -55,7 +55,7 @@ double sixfoldVolume(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* face = cell->GetFace(i);
-    // A face has as many edges as corners; edge midpoints follow the corners.
+    // A face has as many edges as corners. The mid-edge nodes follow the corners.
     const int corners = face->GetNumberOfEdges();
     const bool isPixel = face->GetCellType() == VTK_PIXEL;
     const auto corner = [&](int k) -> Vector3d // corners in order around the face

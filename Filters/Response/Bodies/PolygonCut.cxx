@@ -36,7 +36,8 @@ Vector3d cornerAt(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Returns a vector along the normal of a polygon whose length is twice the area.
+/// Returns a vector along the normal of a polygon. The length of the vector is twice the area of
+/// the polygon.
 Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));

@@ -101,7 +101,7 @@ vtkSmartPointer<vtkPolyData> contourOf(
   {
     largest->SetExtractionModeToAllRegions();
   }
-  vtkNew<vtkCleanPolyData> used; // removes the points of the other regions
+  vtkNew<vtkCleanPolyData> used; // this removes the points of the other regions
   used->SetInputConnection(largest->GetOutputPort());
   used->PointMergingOff();
   const bool done = runWithin(edges, part(stage, 0.2, 0.3)) &&
@@ -199,7 +199,7 @@ void placeAs(vtkImageData* image, vtkPoints* points)
   }
 }
 
-/** Adds outward point normals. Returns false if aborted. */
+/** Adds outward point normals. Returns false if the work was aborted. */
 bool orient(vtkPolyData* surface, vtkImageData* image, FilterStage stage)
 {
   const double* spacing = image->GetSpacing();
@@ -242,7 +242,7 @@ vtkSmartPointer<vtkPolyData> contourSkin(
   }
   const double coarser =
     std::cbrt(1.0 * static_cast<double>(scan.values.size()) / lattice->GetNumberOfPoints());
-  // On a finer lattice a smaller pass band removes the same wavelengths in mm.
+  // On a finer lattice, a smaller pass band removes waves of the same length in mm.
   const double passBand = PassBand * std::min(1.0, coarser * coarser);
   if (!smooth(surface, wanted.iterations, passBand, part(stage, 0.6, 0.93)))
   {

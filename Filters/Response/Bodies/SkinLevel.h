@@ -28,7 +28,7 @@ struct SkinLevel
   void mark(std::vector<float>& values) const;
 };
 
-/// Integers count as labels if they have at most this many different values.
+/// Largest number of different values for which integers count as labels.
 inline constexpr int MostLabels = 64;
 
 /**

@@ -21,7 +21,7 @@ namespace palpate
 struct SkinScan
 {
   std::array<int, 3> size;       // number of voxels along x, y, z
-  std::array<double, 3> spacing; // mm, > 0
+  std::array<double, 3> spacing; // spacing of the voxels, mm, > 0
   std::vector<float> values;     // grey values, all finite; x varies fastest
 
   /** Receives the completed fraction of the work, 0 to 1. Returns false to stop. */

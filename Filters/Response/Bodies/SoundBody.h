@@ -38,12 +38,12 @@ public:
   /// Reason why the input is not a body (checkTriangles, SoundMesh); "" if it is a body. If there
   /// is a fault, body() is null.
   const std::string& fault() const { return this->Fault; }
-  /// The input itself if nothing was repaired; otherwise a copy that shares its points and point
-  /// arrays.
+  /// Returns the input itself if nothing was repaired. Otherwise returns a copy that shares the
+  /// points and point arrays of the input.
   vtkPolyData* body() const { return this->Body; }
   const MeshDefects& defects() const { return this->Found; }
 
-  /// Number of points that are represented by another point.
+  /// Returns the number of points that are represented by another point.
   vtkIdType joinedPoints() const { return static_cast<vtkIdType>(this->Found.joinedPoints); }
   /// Returns the index of the first point at the same position as `point`.
   vtkIdType firstAt(vtkIdType point) const
@@ -69,9 +69,9 @@ private:
 /// Returns whether this process has the whole body or a piece of a body.
 SoundBody::Extent extentOn(const Ranks& ranks);
 
-/// Turns the triangles of a surface outward and removes repeated ones. The remaining triangles keep
-/// their order, and all points remain. A surface without such defects is not replaced. `found`
-/// receives the defects. Returns "" or an error message.
+/// Reverses the triangles of a surface that wind inward, and removes repeated triangles. The
+/// remaining triangles keep their order, and all points remain. A surface without such defects is
+/// not replaced. `found` receives the defects. Returns "" or an error message.
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found);
 

@@ -28,8 +28,8 @@ namespace palpate
 namespace
 {
 /**
- * Finds cells that refer to missing points, which would crash the filters. Returns an error message
- * or "".
+ * Finds cells that refer to missing points. Such cells would crash the filters. Returns an error
+ * message or "".
  */
 std::string cellFault(vtkDataSet* data)
 {
@@ -139,7 +139,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // merges points only if no cell and no point is marked as a ghost
+  all->MergePointsOn(); // this merges points only if no cell and no point is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
   return clean->GetOutput();
 }
 
-/** Returns a message that advises how to get triangles from data that have none. */
+/** Returns the advice in the error message for data that have no triangles. */
 std::string triangleAdvice(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;

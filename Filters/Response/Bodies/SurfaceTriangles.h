@@ -23,7 +23,7 @@ namespace palpate
 {
 struct SurfaceTriangles
 {
-  vtkSmartPointer<vtkPolyData> surface; // null after a fault
+  vtkSmartPointer<vtkPolyData> surface; // the triangles; null after a fault
   bool isOfVolume = false;
   std::vector<std::string> notes; // changes to the input; each note is part of a sentence
   // Description of unused input, for a warning; "" if the whole input is used.

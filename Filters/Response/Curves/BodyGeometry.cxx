@@ -66,7 +66,9 @@ std::shared_ptr<const BodyGeometry> makeGeometry(vtkPolyData* body, const BodySe
 std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam)
 {
   const bool hasOtherCells = body->GetNumberOfVerts() + body->GetNumberOfLines() > 0;
-  if (!seam.ranks().areAlone() || hasOtherCells) // the cache key contains triangles only
+  // Only whole bodies are cached. Bodies with other cells are not cached, because the key of the
+  // cache contains only triangles.
+  if (!seam.ranks().areAlone() || hasOtherCells)
   {
     return makeGeometry(body, seam);
   }

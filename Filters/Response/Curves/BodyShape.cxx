@@ -90,7 +90,7 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
 /// Key of the cache of shapes. It describes the input from which a shape is computed.
 struct ShapeKey
 {
-  std::array<std::size_t, 3> surface; ///< hashes of this rank's piece
+  std::array<std::size_t, 3> surface; ///< hashes that identify this rank's piece
   double radius;
   bool hasEdges;
   bool isOfFaces; ///< whether the curvature is computed from the faces, without sharp edges

@@ -40,14 +40,15 @@ using MaterialArrays = std::array<MaterialArray, 5>;
 constexpr std::size_t ThicknessArrayIndex = 1;
 constexpr std::size_t ComplianceArrayIndex = 2;
 constexpr std::size_t SecondArrayIndex = 4;
-/// Index of the array to process with the strengths of the relaxation at each point.
+/// Index of the array to process that contains the strengths of the relaxation at each point.
 constexpr int RelaxationArrayIndex = 5;
 
 /// The relaxation of a body. Without branches the body does not relax.
 struct RelaxationRequest
 {
   PronySeries series;
-  MaterialArray strength = {};   ///< one component per branch; replaces the strengths of the series
+  /// Array of strengths with one component per branch; it replaces the strengths of the series.
+  MaterialArray strength = {};
   bool complianceRelaxes = true; ///< whether the global compliance relaxes with the material
 };
 
@@ -62,7 +63,7 @@ BodyMaterial::Constants layeredMaterial(BodyMaterial::Constants first,
 /// array. If none is set, the returned name is empty.
 MaterialArray arrayToProcess(
   vtkAlgorithm* filter, int index, const std::function<vtkDataArray*(int index)>& find);
-/// Returns all arrays that are set as inputs of a filter.
+/// Returns all arrays that are set as input arrays of a filter.
 MaterialArrays arraysToProcess(
   vtkAlgorithm* filter, const std::function<vtkDataArray*(int index)>& find);
 /// Returns the arrays with the names `names`. An empty name means that no array is requested.

@@ -29,9 +29,10 @@ namespace
 /// vector is kept unchanged. Therefore normals that were read from a file are bitwise preserved.
 constexpr double UnitTolerance = 3e-7;
 
-constexpr double NormalTolerance = 0.035; // rad, 2 degrees
+constexpr double NormalTolerance = 0.035; // 2 degrees, in rad
 
-/// Writes the unit vector along (x, y, z), or zero if its length is 0. Returns the status.
+/// Stores the unit vector along (x, y, z), or zero if the length of the vector is 0. Returns the
+/// status of the point.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
 {
   double length = std::sqrt(x * x + y * y + z * z);

@@ -10,8 +10,8 @@ namespace palpate
 {
 class SoundBody;
 
-/// Index of the array to process with the mask of pressed points: nonzero at points that get a
-/// response.
+/// Index of the array to process that contains the mask of pressed points. The mask is nonzero at
+/// points that get a response.
 constexpr int PressedArrayIndex = 6;
 
 /// Sets the status to OutOfReach at the points that get no response. A point may represent other

@@ -36,7 +36,7 @@ public:
     this->Branches[static_cast<std::size_t>(place)] = next;
     return true;
   }
-  /// Removes all branches. Returns whether the list had any.
+  /// Removes all branches. Returns whether there were any branches.
   bool clear()
   {
     const bool had = !this->Branches.empty();
@@ -63,7 +63,7 @@ public:
     return some;
   }
 
-  /// Fills the series. Returns "" or an error that names the branch.
+  /// Copies the branches to the series. Returns "" or an error that names an invalid branch.
   std::string fillSeries(PronySeries& series) const
   {
     series = {};

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// The content of a file with a body or a scan, as stored in the file.
+/// The content of a file with a body or a scan, with the values that the file stores.
 struct BodyData
 {
   vtkSmartPointer<vtkDataSet> data; ///< content of the file; null after an error

@@ -55,7 +55,8 @@ void prepareToCrash()
     std::signal(signal, SIG_DFL);
   }
   std::set_terminate([] { std::abort(); });
-  vtkSMPTools::SetBackend("Sequential"); // the copy has no other threads
+  // Sequential, because the copy of the process has no other threads.
+  vtkSMPTools::SetBackend("Sequential");
 }
 } // namespace
 

@@ -34,12 +34,14 @@ public:
     std::int32_t seam;
   };
 
-  /// The seam points of all ranks, as found by the module Pieces.
+  /// The seam points of all ranks. The module Pieces finds them.
   struct Points
   {
     std::size_t size = 0;
-    std::vector<Place> places; ///< seam points of this rank, in ascending order of the points
-    std::vector<std::vector<std::int32_t>> seams; ///< seam numbers of the places of each rank
+    /// Points of this rank on the seam, in ascending order of the points.
+    std::vector<Place> places;
+    /// For each rank, the numbers of its points in the numbering of the seam.
+    std::vector<std::vector<std::int32_t>> seams;
     /// Number of border edges that coincide with an edge of another piece in the opposite
     /// direction.
     std::size_t joinedEdges = 0;
@@ -50,7 +52,7 @@ public:
   BodySeam(const Ranks& ranks, vtkPolyData* body);
 
   const Ranks& ranks() const noexcept { return this->Among; }
-  /// The seam points of this rank, in ascending order of the points.
+  /// Returns the points of this rank on the seam, in ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
   /// Returns the number of border edges of all ranks that coincide with an edge of another piece in
   /// the opposite direction.

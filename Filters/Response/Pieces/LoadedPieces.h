@@ -24,7 +24,7 @@ struct PressedTips
 {
   vtkPolyData* tips = nullptr;
   const ContactSettings& settings;
-  double indentation = 0.0; ///< mm
+  double indentation = 0.0; ///< distance by which each tip is first moved inward, mm
   /// Presses the tips into a part of the body with the kernel for a single rank.
   std::function<void(const ContactBody& part, const TipVisitor& visit)> press;
 };
@@ -57,7 +57,7 @@ struct PiecesModule : ModuleTable
 struct LoadedPieces
 {
   const PiecesModule* module = nullptr;
-  std::string fault; ///< empty if the module is loaded
+  std::string fault; ///< reason why the module is missing; empty if the module is loaded
 };
 
 /// Loads the module at the first call. Later calls return the same result. Any thread may call the

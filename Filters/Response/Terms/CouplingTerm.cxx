@@ -114,8 +114,8 @@ std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
   return {};
 }
 
-/// The interaction of contacts on one body. Its arrays are Coupling, CouplingModulus,
-/// CouplingThickness and CouplingModes. Without these arrays contacts do not interact.
+/// The interaction of contacts on one body. The arrays of the term are Coupling, CouplingModulus,
+/// CouplingThickness and CouplingModes. Without these arrays, contacts do not interact.
 class CouplingTerm : public LawTerm
 {
 public:

@@ -21,7 +21,8 @@ struct ResponseModel;
 /// Properties of the response to which a term belongs.
 struct TermBody
 {
-  const LawRequest& request;    ///< valid, except for the settings that LawTerm::check checks
+  /// Request of the response; it is valid, except for the settings that LawTerm::check checks.
+  const LawRequest& request;
   const AxisymmetricTool& tool; ///< tool of the request
   /// Material; null for a response that finite elements compute for the true shape.
   const BodyMaterial* material;
@@ -71,7 +72,8 @@ public:
   virtual bool view(
     vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error) const;
 
-  /// Attaches copies of the viewed arrays of the term. Attaches nothing if the term has no views.
+  /// Attaches copies of the arrays that the views of the term refer to. Attaches nothing if the
+  /// term has no views.
   virtual void describe(
     vtkPolyData* body, const std::string& name, const ResponseArrays& arrays) const;
 };
@@ -85,7 +87,7 @@ const LawTerm& relaxationTerm();
 const LawTerm& couplingTerm();
 const LawTerm& tiltTerm();
 
-/// All terms, in the order in which they are checked, made and described.
+/// Returns all terms, in the order in which they are checked, created and described.
 PALPATERESPONSE_EXPORT const std::array<const LawTerm*, 7>& lawTerms();
 
 /// Returns the first fault that LawTerm::check finds in any term; "" if there is none.

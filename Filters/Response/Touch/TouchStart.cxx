@@ -95,7 +95,7 @@ public:
     this->Nearest = sight.isNear ? std::max(this->Nearest, 1e-6 * this->Farthest) : this->Nearest;
   }
 
-  /// The rectangle of the picture that contains the visible part of the body.
+  /// Returns the rectangle of the picture that contains the visible part of the body.
   const Rectangle& visiblePart() const { return this->Body; }
   bool isEmpty() const
   {

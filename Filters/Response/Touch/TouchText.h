@@ -18,7 +18,7 @@ struct Touch
   TouchedPlace place;            ///< place of the contact; the cell is -1 without contact
   /// The contact. If the tip does not touch, contact.normal points away from the surface.
   Contact contact;
-  double stiffness = 0.0; ///< slope of the stored curve, N/mm
+  double stiffness = 0.0; ///< slope of the stored curve at the deflection, N/mm
   double range = 0.0;     ///< Range of the response at the place of the contact, mm
   double scale = 0.0;     ///< length of the arrow per unit of force, mm/N
   PlaceValidity validity;

@@ -28,7 +28,7 @@ public:
 
 private:
   int Along;
-  std::vector<double> Weights; ///< weights of a cell's points
+  std::vector<double> Weights; ///< weights of the sample points of a cell
 };
 } // namespace palpate
 

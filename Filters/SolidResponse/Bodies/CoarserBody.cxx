@@ -18,7 +18,8 @@ namespace
 constexpr double LeastRatio = 1.2; // smallest ratio of the edge lengths of the two bodies' cells
 // Largest shift of the bounding box's sides, in lengths of coarser cells.
 constexpr double LargestShift = 2.0;
-constexpr double LeastMemory = 1e-3; // MiB; 0 would mean all available memory
+// Smallest memory limit, MiB; a limit of 0 would mean all available memory.
+constexpr double LeastMemory = 1e-3;
 constexpr double SolvedPart = 0.7;
 constexpr double FittedPart = 0.95; // fractions of the work at the end of two steps in compare()
 

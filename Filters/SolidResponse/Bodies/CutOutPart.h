@@ -21,8 +21,9 @@ struct CutOutSurface
 struct CutOutPart
 {
   VolumeMesh mesh;
-  std::vector<unsigned char> onCut; ///< per node: 1 if it is on the cut and not held
-  std::vector<unsigned char> held;  ///< per node: 1 if it is held
+  /// For each node: 1 if the node is on the cut and not held, else 0.
+  std::vector<unsigned char> onCut;
+  std::vector<unsigned char> held; ///< for each node: 1 if the node is held, else 0
 };
 
 /// Edge lengths of the cells of a part.

@@ -43,7 +43,7 @@ private:
   {
     ElasticBody body;
     UnitMotion moved;                 ///< motion due to the surrounding body, under unit loads
-    std::vector<unsigned char> onCut; ///< per node: whether it is on the cut
+    std::vector<unsigned char> onCut; ///< for each node: whether the node is on the cut
     std::vector<unsigned char> held;
   };
   /// Factors on the lengths of the cells. They are 1 for the finest mesh.

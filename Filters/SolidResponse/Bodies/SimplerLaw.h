@@ -23,7 +23,7 @@ struct SimplerLaw
   double thickness = 0.0;  ///< thickness of the layer, mm; 0 means a half-space
   /// Name of the point array of the surface with thicknesses; "" if there is none.
   std::string thicknesses;
-  double tolerance = 0.01; ///< largest relative change of the force
+  double tolerance = 0.01; ///< largest relative change of the force for which the curve is replaced
 };
 
 /**

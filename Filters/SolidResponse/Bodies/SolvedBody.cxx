@@ -28,7 +28,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double FactorisedShare = 0.17; // fraction of the progress for the factorisation
+constexpr double FactorisedShare = 0.17; // fraction of the progress that the factorisation takes
 // Fraction of the progress for the kernel fits, on a finer surface.
 constexpr double FittedShare = 0.5;
 // Ratio of contact radii; it is √2 on a thin layer that can expand sideways.
@@ -73,8 +73,8 @@ struct SolvedBody::Kept
   bool IsEven = false;
   /// Contact radius for which the body is solved, mm; 0 if nothing is solved yet.
   double Radius = 0.0;
-  double FactorMemory = 0.0; ///< MiB
-  double GreenMemory = 0.0;  ///< MiB
+  double FactorMemory = 0.0; ///< memory of the factor, MiB
+  double GreenMemory = 0.0;  ///< memory of H, MiB
   /// Copy of the grid. It keeps the arrays alive, so that no new array can have the address of a
   /// freed array.
   vtkSmartPointer<vtkUnstructuredGrid> Grid;

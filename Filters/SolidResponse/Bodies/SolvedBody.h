@@ -43,7 +43,8 @@ struct SolveCost
   bool ended = false;      ///< whether an abort ended the work
 };
 
-/// Returns the contact radius for which a body must be solved, for a tool at a depth (mm).
+/// Returns the contact radius (mm) for which a body must be solved, if the tool is pressed to a
+/// depth of `deflection` (mm).
 double neededRadius(vtkContactTool* tool, double deflection);
 
 /// Checks the settings of a response of the true shape, including tool and depth. Returns "" or an

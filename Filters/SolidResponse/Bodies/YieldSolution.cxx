@@ -40,7 +40,7 @@ constexpr double LeastOfContact = 0.25;
 // nodes.
 constexpr double LeastOfSpacing = 0.5;
 constexpr double PointsPerCell = 0.15; // number of solved points per cell
-// Ratio of the cell lengths of the second mesh to those of the first.
+// Ratio of the cell length of the second mesh to the cell length of the first mesh.
 constexpr double CoarserRatio = 2.0;
 /// A surface that has more triangles than this, or that cannot be filled, is replaced by a coarse
 /// surface. The voxels of the coarse surface have this fraction of the cells' spacing.
@@ -135,7 +135,7 @@ void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* bod
   {
     vtkDataArray* mode = bare->GetPointData()->GetArray(globalModeName(k).c_str());
     const double largest = mode ? mode->GetMaxNorm() : 0.0;
-    // A scale that is a power of ten gives short decimal numbers.
+    // The scale is a power of ten, because this gives short decimal numbers.
     const double scale =
       largest > 0.0 ? std::pow(10.0, std::ceil(-std::log10(ModeStep * largest))) : 1.0;
     for (vtkIdType i = 0; i < 3 * body->GetNumberOfPoints(); ++i)

@@ -26,7 +26,7 @@ struct MesherModule : ModuleTable
 struct LoadedMesher
 {
   const MesherModule* module = nullptr;
-  std::string fault; ///< empty if the module is loaded
+  std::string fault; ///< reason why the module is missing; empty if the module is loaded
 };
 
 /// Loads the module at the first call. Later calls return the same result. Thread-safe.

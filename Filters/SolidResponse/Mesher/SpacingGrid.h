@@ -31,7 +31,7 @@ struct MeshedSurface
   double interiorSpacing = 0.0; ///< largest spacing of the cells
   /// Increase of the spacing per mm of distance from the surface inwards.
   double growth = 0.0;
-  double deviation = 0.0; ///< largest distance of a facet from the surface
+  double deviation = 0.0; ///< largest allowed distance of a facet from the surface
   /// Edges with a larger dihedral angle than this are kept, degrees.
   double sharpAngle = 45.0;
   /// Whether the outer surface must be a manifold. Where the surface nearly touches itself, a

@@ -14,7 +14,8 @@ struct ElasticBodyInput
 {
   VolumeMesh mesh;
   std::vector<ElasticMaterial> materials; ///< one per element, or one for all elements
-  std::vector<unsigned char> fixed;       ///< per node: FixedX | FixedY | FixedZ
+  /// For each node, a sum of the bits FixedX, FixedY and FixedZ.
+  std::vector<unsigned char> fixed;
 };
 
 /**

@@ -326,7 +326,8 @@ double smallestJacobian(ElementKind kind, const ElementNodes& nodes)
 {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&smallest](double determinant)
-  { smallest = determinant > smallest ? smallest : determinant; }; // a NaN determinant gives NaN
+  // Written such that a NaN determinant gives NaN.
+  { smallest = determinant > smallest ? smallest : determinant; };
   switch (kind)
   {
     case ElementKind::Hexahedron:

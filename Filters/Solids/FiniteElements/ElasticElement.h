@@ -19,7 +19,8 @@
 
 namespace palpate
 {
-/// Young's modulus E (MPa) > 0 and Poisson's ratio 0 <= ν <= LargestPoissonRatio.
+/// Material of an element. Young's modulus E (MPa) is > 0, and Poisson's ratio ν is from 0 to
+/// LargestPoissonRatio.
 struct ElasticMaterial
 {
   double youngsModulus = 1.0;
@@ -57,7 +58,7 @@ using ElementGradients = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
 PALPATE_EXPORT double elementGradients(ElementKind kind, const ElementNodes& nodes,
   const Eigen::Vector3d& xi, ElementGradients& gradients);
 
-/// The shape functions at `xi` (n × 1).
+/// The values of the shape functions of an element, n × 1.
 using ElementShapes = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, LargestNodeCount, 1>;
 PALPATE_EXPORT ElementShapes elementShapes(ElementKind kind, const Eigen::Vector3d& xi);
 

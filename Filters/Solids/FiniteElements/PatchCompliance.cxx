@@ -188,7 +188,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
     return false;
   }
   std::vector<std::pair<std::size_t, SelfTerms*>>
-    jobs; // the first site with each key represents all sites with that key
+    jobs; // the first site with a key represents all sites with this key
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (sites[i].status == PatchStatus::Valid)

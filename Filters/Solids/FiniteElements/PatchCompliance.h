@@ -24,7 +24,7 @@ namespace palpate
 enum class PatchStatus : std::uint8_t
 {
   Valid = 0,
-  Degenerate = 1, ///< no normal, or elements too distorted to be flattened
+  Degenerate = 1, ///< the point has no normal, or the elements are too distorted to be flattened
   OutOfReach = 4, ///< the patch covers points that are fixed
   /// The patch extends over an edge, where the normal of the surface varies by more than 30° under
   /// the patch.

@@ -47,7 +47,7 @@ Place wholePlace(const Eigen::Vector3d& x, double grain)
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
 }
 
-/// Sorts indices by the positions that `placeOf` returns for them.
+/// Sorts the indices `things` by the positions that `placeOf` returns for them.
 template <class PlaceOf>
 void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
 {
@@ -166,7 +166,7 @@ std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topo
   std::size_t nodeTotal)
 {
   std::vector<CutNode> marks(nodeTotal, CutNode::Outside);
-  // The second pass sets Prescribed, which has priority.
+  // The roles are set in two passes. The second pass sets Prescribed, which has priority.
   for (const bool prescribing : { false, true })
   {
     for (std::size_t i = 0; i < patch.elements.size(); ++i)

@@ -22,13 +22,13 @@ enum class CutNode : std::uint8_t
 /// The elements around a point and the loads on them. They are the complete input of a self-term.
 struct LocalPatch
 {
-  VolumeMesh mesh; ///< flattened mesh, in the tangent frame of the point
+  VolumeMesh mesh; ///< the cut-out elements, flattened, in the tangent frame of the point
   /// Per element: 1 if the element is also in the inner cut.
   std::vector<unsigned char> inner;
-  std::array<std::vector<CutNode>, 2> nodes; ///< role per node, for the inner and the outer cut
+  std::array<std::vector<CutNode>, 2> nodes; ///< role of each node, for the inner and the outer cut
   std::array<PatchLoad, 2> loads;            ///< loads on the nodes, with node numbers of this mesh
   double poissonRatio = 0.3;
-  double spacing = 1.0;               ///< mm
+  double spacing = 1.0;               ///< distance of neighbouring nodes at the point, mm
   std::vector<std::int32_t> elements; ///< indices in the body of the elements that were cut out
 };
 

@@ -21,7 +21,8 @@ namespace palpate
 /// cos 30°, for the largest variation of the surface normal under a patch.
 constexpr double PatchTurn = 0.86602540378443864676;
 
-/// Quadrature rule of a disc: points in units of its radius, weights with sum 1.
+/// Quadrature rule on a disc. The points are in units of the radius of the disc. The weights have
+/// the sum 1.
 struct DiscRule
 {
   static constexpr int Count = 24;
@@ -35,13 +36,13 @@ struct DiscRule
 /// matrix. z points into the body.
 Eigen::Matrix3d tangentFrame(const Eigen::Vector3d& outwardNormal);
 
-/// A unit force, spread over a disc around a point of the surface.
+/// A unit force that is distributed over a disc around a point of the surface.
 struct PatchLoad
 {
   /// Whether the whole disc is on the surface. It is false if the disc extends over an edge or
   /// beyond the surface.
   bool complete = false;
-  /// Nodes (ascending) and their weights, with sum 1.
+  /// Nodes in ascending order and their weights. The weights have the sum 1.
   std::vector<std::pair<std::int32_t, double>> nodes;
   /// The points of the quadrature, mm, in the order of `DiscRule::weights`.
   std::array<Eigen::Vector3d, DiscRule::Count> places;

@@ -34,7 +34,7 @@ bool SimplicialFactor::analyse(const SymmetricSparse& lower)
   this->Bytes =
     perEntry * (this->Solver.predictedNonZeros() + static_cast<double>(lower.nonZeros())) +
     64.0 * static_cast<double>(lower.rows());
-  // Eigen counts entries in an int.
+  // The number of entries is checked, because Eigen counts entries in an int.
   return this->Solver.predictedNonZeros() < 2147483647.0;
 }
 

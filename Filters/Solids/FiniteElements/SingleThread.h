@@ -6,11 +6,11 @@
 
 extern "C"
 {
-  // Functions of OpenBLAS; null if another BLAS is used.
+  // Functions of OpenBLAS. They are null if another BLAS is used.
   __attribute__((weak)) int openblas_get_num_threads();
   __attribute__((weak)) void openblas_set_num_threads(int count);
 
-  // Functions of OpenMP; null unless OpenMP is loaded, for example by CHOLMOD.
+  // Functions of OpenMP. They are null unless OpenMP is loaded, for example by CHOLMOD.
   __attribute__((weak)) int omp_get_max_active_levels();
   __attribute__((weak)) void omp_set_max_active_levels(int count);
 }

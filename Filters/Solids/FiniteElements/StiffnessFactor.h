@@ -39,7 +39,7 @@ class PALPATE_EXPORT StiffnessFactor
 public:
   enum class Kind
   {
-    Automatic, ///< Supernodal if this build has CHOLMOD
+    Automatic, ///< selects Supernodal if this build has CHOLMOD, else Simplicial
     Supernodal,
     Simplicial
   };

@@ -81,7 +81,8 @@ struct Supernodes
   std::vector<int> ofColumn;
 };
 
-/// Forward solution of one block of loads, along the union of their paths to the root.
+/// Computes the forward solution of one block of loads, along the union of the paths of these loads
+/// to the root.
 class PathSolver
 {
 public:
@@ -148,7 +149,8 @@ private:
         }
       }
     }
-    std::sort(this->Path.begin(), this->Path.end()); // a parent comes after its children
+    // After sorting, a parent comes after its children.
+    std::sort(this->Path.begin(), this->Path.end());
     int offset = 0;
     for (const int s : this->Path)
     {
@@ -233,8 +235,9 @@ public:
   bool analyse(const SymmetricSparse& lower) override
   {
     cholmod_free_factor(&this->Factor, &this->Common);
-    // METIS seeds and uses the C library's rand(). Two orderings at the same time would mix their
-    // random numbers, and rounding would differ from run to run.
+    // METIS seeds and uses rand() of the C library. Two simultaneous orderings would share one
+    // sequence of random numbers, and rounding would differ from run to run. Therefore only one
+    // ordering runs at a time.
     static std::mutex ordering;
     const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);

@@ -13,7 +13,8 @@
 
 namespace palpate
 {
-/// Corner and mid-edge nodes are numbered as in VTK_HEXAHEDRON, VTK_TETRA and VTK_QUADRATIC_TETRA.
+/// Type of an element. Corner and mid-edge nodes are numbered as in VTK_HEXAHEDRON, VTK_TETRA and
+/// VTK_QUADRATIC_TETRA.
 enum class ElementKind : std::uint8_t
 {
   Hexahedron,
@@ -37,7 +38,7 @@ struct ElementFace
 };
 PALPATE_EXPORT const ElementFace& elementFace(ElementKind kind, int face);
 
-/// One element: its kind and its nodes.
+/// One element, with its kind and its nodes.
 struct VolumeElement
 {
   ElementKind kind = ElementKind::Hexahedron;
@@ -61,7 +62,7 @@ PALPATE_EXPORT Eigen::Vector3d elementMiddle(const VolumeMesh& mesh, const Volum
 /// connected by shared nodes.
 PALPATE_EXPORT std::vector<std::int32_t> partOfNodes(const VolumeMesh& mesh);
 
-/// A face of the body's surface: face `face` of element `element`.
+/// A face of the body's surface. It is the face `face` of the element `element`.
 struct BoundaryFace
 {
   std::int32_t element = 0;

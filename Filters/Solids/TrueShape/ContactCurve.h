@@ -17,7 +17,7 @@ struct PALPATE_EXPORT ContactSample
   double force = 0.0;      ///< N
   /// Relative change of the force if the order of the kernel is reduced by one.
   double truncation = 0.0;
-  double harmonics = 0.0; ///< correction of δ for the tilt, as a fraction of δ
+  double harmonics = 0.0; ///< correction of δ for the tilt of the surface, as a fraction of δ
   double gap = 0.0;       ///< error of the approximation of the surface shape by a gap
   double direction = 0.0; ///< error due to a force that is not normal to the surface
   double surface = 0.0;   ///< error due to the shape of the surface between its points
@@ -38,7 +38,7 @@ struct PALPATE_EXPORT ContactSample
 /// Reason why a curve ends.
 enum class CurveEnd : unsigned char
 {
-  Patch,    ///< the contact reaches the largest radius that was solved for
+  Patch,    ///< the contact reaches the largest radius for which the body was solved
   Edge,     ///< the contact reaches an edge or another material
   Held,     ///< the contact reaches held points
   Unstable, ///< With this kernel, the contact cannot grow further, because δ does not increase.

@@ -17,7 +17,7 @@ struct CurveSamples
 {
   std::vector<ContactSample> samples;
   std::vector<ContactKernel> kernels;
-  std::vector<double> stiffness; ///< N/mm
+  std::vector<double> stiffness; ///< stiffness of each sample, N/mm
   /// Number of samples up to which the contact radius grows. It is constant for the later samples.
   std::size_t growing = 0;
 };

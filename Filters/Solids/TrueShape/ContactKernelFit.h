@@ -35,7 +35,7 @@ public:
 
 private:
   double Asymmetry = 0.0;
-  std::vector<DiscPoint> Points;  ///< sources
+  std::vector<DiscPoint> Points;  ///< sources in the disc
   std::vector<DiscPoint> Surface; ///< all surface points; empty if they are the same as Points
   Eigen::Matrix3Xd Normals;       ///< one normal per point of Points
   Eigen::MatrixXd Values;

@@ -25,7 +25,7 @@ struct ContactKernel
   int order = 0; ///< order N; 0 means that there is no kernel
   /// The coefficients c, mm/N. The matrix is symmetric. Entries beyond the order are zero.
   Eigen::Matrix4d coefficients = Eigen::Matrix4d::Zero();
-  /// β = ∇_s H₀ at X, 1/N, in the tangent frame: the tilt of the surface under 1 N.
+  /// The tilt of the surface under 1 N, β = ∇_s H₀ at X, 1/N, in the tangent frame.
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
   /// Mean of the outward surface normals to which c₀₀ refers. Its length is less than 1 on a curved
   /// surface.

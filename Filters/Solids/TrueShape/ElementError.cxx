@@ -10,7 +10,8 @@ namespace
 {
 /// Factor on the second-order estimate. With this factor, 2 of 100 errors exceed the estimate.
 constexpr double MissedFactor = 1.5;
-constexpr double LinearMissedFactor = 7.5; ///< factor for linear tetrahedra, which lock
+/// Value of MissedFactor for linear tetrahedra, which lock.
+constexpr double LinearMissedFactor = 7.5;
 /// Factor on the contribution of held faces, where elements have the exact displacement.
 constexpr double HeldFactor = 0.5;
 /// The spacing of quadratic tetrahedra is divided by this factor, because they are more accurate.

@@ -138,7 +138,7 @@ void fanPoints(const LocalFace& face, std::vector<FacePoint>& points)
     const Eigen::Vector2d b = nodePlace(n, (c + 1) % corners) - origin;
     if (a[0] * b[1] - a[1] * b[0] < 1e-9)
     {
-      continue; // the edge passes through the origin
+      continue; // the edge passes through the origin, so its triangle has no area
     }
     for (int i = 0; i < 4; ++i)
     {

@@ -48,7 +48,7 @@ constexpr double RotationErrorFactor = 2.5;
 class FinitePress
 {
 public:
-  /// Starts at the depth of first touch.
+  /// Starts the solution at the depth of the first touch.
   explicit FinitePress(FinitePart& part)
     : Part(part)
     , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
@@ -193,7 +193,7 @@ private:
   Eigen::VectorXd Motion; ///< change of the displacements per mm of depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
-  double Depth; ///< mm
+  double Depth; ///< depth of the tool in the last equilibrium, mm
   int Failed = 0;
 };
 

@@ -106,7 +106,7 @@ private:
   const ElasticBody& Body;
   const ToolOutline& Tool;
   Eigen::Matrix3d Frame;
-  double Penalty; ///< MPa/mm
+  double Penalty; ///< stiffness of the penalty, MPa/mm
   std::vector<FiniteTetrahedron> Elements;
   std::vector<Piece> Surface;
   PartRest Rest;

@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-/// The error is this factor times the part of H that is not bending, times the square of the angle
-/// between neighbouring facets.
+/// Factor of the error of facets. The error is this factor times the part of H that is not bending,
+/// times the square of the angle between neighbouring facets.
 constexpr double FacetFactor = 0.8;
 
 /// The error of a contact of radius a at a distance d from held points is this factor times the

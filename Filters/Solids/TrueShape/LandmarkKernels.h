@@ -41,7 +41,7 @@ private:
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    /// Tilt of the kernel, along the axes of the body.
+    /// Tilt of the kernel, in components along the axes of the body.
     Eigen::Vector3d tilt = Eigen::Vector3d::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< ContactKernel::normal of `full`
     Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `coarse`
@@ -116,7 +116,7 @@ private:
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
-  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels
+  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels, mm
   std::vector<Blend> Blends;                  ///< blended kernels, one per radius of Radii
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;

@@ -41,7 +41,7 @@ private:
     Eigen::Vector3d place;
     Eigen::Vector3d normal;
     double spacing = 0.0;       ///< distance of neighbouring nodes of the coarser mesh, mm
-    std::vector<double> missed; ///< one per radius of Radii, mm/N
+    std::vector<double> missed; ///< error of c₀₀ for each radius of Radii, mm/N
   };
 
   Sample sample(const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const;

@@ -27,7 +27,7 @@ struct SurfacePiece
  */
 struct PartRest
 {
-  Eigen::MatrixXd motion; ///< displacements of all nodes (mm) × loads
+  Eigen::MatrixXd motion; ///< displacements of all nodes, mm; one column per load
   Eigen::MatrixXd energy; ///< the matrix W of the stored energy
   Eigen::MatrixXd turns;  ///< rotation of the place, rad; 3 × loads
 };

@@ -21,7 +21,7 @@ struct PunchClosing
 /// A depth of a flat punch, computed with the assumption of full contact.
 struct PunchDepth
 {
-  double depth = 0.0; ///< mm
+  double depth = 0.0; ///< depth, mm
   /// Relative error of the force due to the unknown shape of the contact at smaller depths.
   double open = 0.0;
 };

@@ -145,7 +145,7 @@ double RegularGreen::discRadius(std::int32_t point) const
 double RegularGreen::memoryForecast(
   const std::vector<std::int32_t>& points, double radius, double spacing) const
 {
-  // The mean size of a sample of discs is used. A row reaches twice as far as a disc.
+  // The mean size is estimated from a sample of discs. A row extends twice as far as a disc.
   constexpr std::size_t samples = 64;
   double inDisc = 0.0;
   double apart = 0.0;

@@ -112,11 +112,12 @@ private:
   bool IsEven = false;
   /// Points given to solve(), in ascending order.
   std::vector<std::int32_t> Points;
-  std::vector<SurfaceDisc> Discs;    ///< one per point of Points
-  SourceErrors Errors;               ///< one per point of Points
+  std::vector<SurfaceDisc> Discs;    ///< discs, one per point of Points
+  SourceErrors Errors;               ///< expected errors, one per point of Points
   std::vector<std::int32_t> Sources; ///< solved surface points, in ascending order
-  std::vector<Row> Rows;             ///< one per source of Sources
-  std::vector<std::vector<BendingError::Sample>> Bending; ///< one entry per block of sources
+  std::vector<Row> Rows;             ///< solutions, one per source of Sources
+  /// Samples of the bending error, one entry per block of sources.
+  std::vector<std::vector<BendingError::Sample>> Bending;
 };
 } // namespace palpate
 

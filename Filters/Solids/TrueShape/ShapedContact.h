@@ -38,7 +38,7 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// One tool, for any number of bodies and points.
+/// Contacts of one tool, on any number of bodies and points.
 class PALPATE_EXPORT ShapedContact
 {
 public:
@@ -56,8 +56,8 @@ public:
   /// One contact: the result for one kernel and one radius, without the effect of the tilt.
   struct Contact
   {
-    double deflection = 0.0; ///< mm
-    double force = 0.0;      ///< N
+    double deflection = 0.0; ///< deflection δ, mm
+    double force = 0.0;      ///< force F, N
     /// 2E* Y₀ of a flat end at depth 1, which is dF/dδ for a constant kernel, N/mm
     double stiffness = 0.0;
     bool stable = false; ///< whether δ increases with the radius for this kernel

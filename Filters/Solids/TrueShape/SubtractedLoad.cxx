@@ -65,8 +65,9 @@ struct SubtractedLoad::Work
   BoussinesqField field;
   Eigen::Matrix3Xd nodes;
   Eigen::Matrix3Xd forces;
-  std::int32_t own;                 ///< surface node at X
-  std::vector<unsigned char> under; ///< 1 for a node where the singular field is used
+  std::int32_t own; ///< surface node at X
+  /// For each node: 1 if the singular field is used at the node, else 0.
+  std::vector<unsigned char> under;
   /// Whether there are nodes at which the singular field is not used.
   bool overhangs = false;
   std::vector<FacePoint> points;

@@ -12,10 +12,10 @@ namespace palpate
 /// A force of 1 N at a surface point X, and the half-space on which it is assumed to act.
 struct SingularSource
 {
-  std::int32_t point = 0;   ///< surface point
+  std::int32_t point = 0;   ///< index of the surface point X
   Eigen::Matrix3d frame;    ///< columns: two tangents and the inward normal at X
   Eigen::Vector3d origin;   ///< position of X, mm
-  ElasticMaterial material; ///< material at X
+  ElasticMaterial material; ///< material at X, which is that of the half-space
 
   SingularSource(const ElasticBody& body, std::int32_t surfacePoint);
   Eigen::Vector3d inFrame(const Eigen::Vector3d& place) const
@@ -70,7 +70,8 @@ private:
   bool Uniform;                                   ///< whether the body has one material
   std::vector<std::int32_t> LoadedFaces;          ///< outer faces that are not entirely held
   std::vector<std::pair<std::int32_t, int>> Held; ///< node and axis of each column of Coupling
-  Eigen::SparseMatrix<double> Coupling;           ///< unknowns × held directions
+  /// Stiffness between unknowns and held directions.
+  Eigen::SparseMatrix<double> Coupling;
 };
 
 /// Returns w at every node, mm. `smooth` contains w at the unknowns.

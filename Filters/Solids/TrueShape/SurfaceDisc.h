@@ -21,8 +21,8 @@ constexpr double ContactTurn = 0.76604444311897803520;
 struct DiscPoint
 {
   std::int32_t point = 0;
-  Eigen::Vector2d at;    ///< mm
-  double drop = 0.0;     ///< distance below the tangent plane, mm (SmoothSurface)
+  Eigen::Vector2d at;    ///< position in the tangent plane, mm
+  double drop = 0.0;     ///< distance of the point below the tangent plane, mm (SmoothSurface)
   double area = 0.0;     ///< a third of the area of the triangles around the point, mm²
   double distance = 0.0; ///< distance from the middle point, |at|, mm
 };
@@ -41,7 +41,7 @@ struct SurfaceDisc
 {
   PatchStatus status = PatchStatus::Valid;
   std::vector<DiscPoint> points; ///< X first, the other points sorted by distance
-  double limit = Infinity;       ///< mm
+  double limit = Infinity;       ///< distance to the limit, mm
   PatchStatus limitedBy = PatchStatus::Valid;
 };
 

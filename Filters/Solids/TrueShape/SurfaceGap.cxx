@@ -193,7 +193,7 @@ GapTerms SurfaceGap::at(double a) const
   weights /= sum;
   const auto fitted = [&](int first, int parts, double meanSquare, const auto& valueAt)
   {
-    // Weighted least-squares fit of Σ c_j (r/disc)^(first + 2j).
+    // This is a weighted least-squares fit of Σ c_j (r/disc)^(first + 2j).
     Eigen::MatrixXd system(count, parts);
     Eigen::MatrixXd values(count, valueAt(0).size());
     for (int k = 0; k < count; ++k)

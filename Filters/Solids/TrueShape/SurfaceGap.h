@@ -112,7 +112,8 @@ public:
 
     double Radius;
     int Known;
-    Eigen::Matrix<double, Angles, Rings> Amplitudes; ///< 1, cos θ, sin θ, cos 2θ, ... cos 8θ
+    /// Amplitudes of 1, cos θ, sin θ, cos 2θ, ... cos 8θ
+    Eigen::Matrix<double, Angles, Rings> Amplitudes;
   };
 
   /// Returns the position of the height at ring k and angle j, mm.

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 // Lengths are relative to the contact radius, and pressures to E*.
-constexpr double HalfWidth = 1.6; ///< half width of the disc of cells
+constexpr double HalfWidth = 1.6; ///< half the width of the disc of cells
 constexpr int CellsAcross = 16;
 constexpr double CellSide = 2.0 * HalfWidth / CellsAcross;
 constexpr auto CellArea = static_cast<float>(CellSide * CellSide);
@@ -45,7 +45,7 @@ double sinkOfCell(const Eigen::Vector2d& at)
 struct ContactCells
 {
   Eigen::Matrix2Xd places;
-  Eigen::VectorXf ofHertz; ///< pressures of a sphere, up to a factor
+  Eigen::VectorXf ofHertz; ///< relative pressures of Hertz's contact of a sphere
   Eigen::MatrixXf sink;    ///< displacement of one cell under the pressure on another
   std::vector<std::pair<Eigen::Index, Eigen::Index>> neighbours;
 
@@ -143,7 +143,8 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const Eigen::VectorXf rise = raw.array() - meanUnder(touching, raw);
     const float along = open.dot(direction);
     const float against = rise.dot(direction);
-    const bool isBalanced = !(along > 0.0F && against > 0.0F); // always true for a single cell
+    // This is always true for a single cell.
+    const bool isBalanced = !(along > 0.0F && against > 0.0F);
     // Cells with tension are released. Cells in which the surface penetrates the tool join the
     // contact.
     const auto enters = touching == 0.0F && open.array() < 0.0F;
@@ -210,7 +211,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
   const double onMean = radius * settle(gap, load / (radius * radius), this->OnMean);
   if (this->Tool.largestContactRadius() < HalfWidth * radius)
   {
-    this->Middle.setZero(); // the whole tool is over the cells
+    this->Middle.setZero(); // the middle is reset, so that the cells cover the whole tool
   }
   Change change;
   change.isInside = false;

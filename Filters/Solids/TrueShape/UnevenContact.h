@@ -49,7 +49,8 @@ private:
   double Reach;
   SurfaceGap::Spectrum Heights;
   Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< middle of the previous contact, mm
-  Eigen::VectorXf OnShape;                          ///< pressures of the previous contact
+  /// Pressures of the previous contact with the uneven surface.
+  Eigen::VectorXf OnShape;
   Eigen::VectorXf OnMean;
 };
 } // namespace palpate

@@ -164,7 +164,7 @@ private:
   using Cell = std::array<long long, 3>;
 
   LineGraph& Graph;
-  double Tolerance; ///< mm
+  double Tolerance; ///< largest distance of points that are one node, mm
   std::map<Cell, LineGraph::vertex_descriptor> Known;
 };
 
