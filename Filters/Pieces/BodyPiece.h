@@ -37,9 +37,11 @@ struct TipBall
 class BodyPiece
 {
 public:
-  /// Names of the arrays that cut() adds to the arrays of the response.
+  /// Name of an array that cut() adds to the arrays of the response. It has one int per point, the
+  /// index of the point on the seam, or -1 if the point is not on the seam.
   static constexpr const char* SeamArray = "PalpateSeam";
-  /// Int per triangle; id of the triangle's cell in the piece.
+  /// Name of an array that cut() adds. It has one int per triangle, the id of the cell in the
+  /// piece.
   static constexpr const char* CellArray = "PalpateCell";
 
   /// `body` must have passed checkTriangles, or be empty.

@@ -45,7 +45,7 @@ double sinkOfCell(const Eigen::Vector2d& at)
 struct ContactCells
 {
   Eigen::Matrix2Xd places;
-  Eigen::VectorXf ofHertz; ///< relative pressures of Hertz's contact of a sphere
+  Eigen::VectorXf ofHertz; ///< relative pressures of a Hertzian contact with a sphere
   Eigen::MatrixXf sink;    ///< displacement of one cell under the pressure on another
   std::vector<std::pair<Eigen::Index, Eigen::Index>> neighbours;
 

@@ -53,6 +53,7 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 // The criteria of CGAL limit radii. The resulting edge lengths were measured on balls. On average
 // they are 0.95 to 1.05 times the spacing, both on the surface and inside.
+
 /// Largest radius of a facet's circumscribed circle, in spacings.
 constexpr double FacetRadius = 0.72;
 /// Largest radius of a cell's circumscribed sphere, in spacings.
