@@ -22,7 +22,8 @@ namespace palpate
 {
 namespace
 {
-/// Copies the arrays needed to evaluate the response, for the points `ids` of `from`.
+/// Copies the arrays that are needed to evaluate the response, for the points `ids` of `from`, to
+/// `to`.
 void copyResponse(vtkPolyData* from, const std::string& name, vtkIdList* ids, vtkPolyData* to)
 {
   for (const ContractArray& contract : ResponseContract)

@@ -28,33 +28,39 @@ struct TipBall
 };
 
 /**
- * The piece of a body on this rank. The triangles around given tips can be cut from the piece.
+ * The piece of a body on this rank. cut() returns the triangles of the piece around given tips.
  *
  * Points and triangles with a coordinate that is not finite are ignored. Construction takes O(n)
- * and is not collective, because the seam is given. The body must not change during the lifetime of
- * this object.
+ * for n points and is not collective, because the seam is an argument. The body must not change
+ * during the lifetime of this object.
  */
 class BodyPiece
 {
 public:
-  /// Names of the arrays that cut() adds to those of the response.
-  static constexpr const char* SeamArray = "PalpateSeam"; ///< int per point; -1: not on the seam
-  static constexpr const char* CellArray = "PalpateCell"; ///< int per triangle: cell of the piece
+  /// Name of an array that cut() adds to the arrays of the response. It has one int per point, the
+  /// index of the point on the seam, or -1 if the point is not on the seam.
+  static constexpr const char* SeamArray = "PalpateSeam";
+  /// Name of an array that cut() adds. It has one int per triangle, the id of the cell in the
+  /// piece.
+  static constexpr const char* CellArray = "PalpateCell";
 
   /// `body` must have passed checkTriangles, or be empty.
   BodyPiece(vtkPolyData* body, const BodySeam& seam);
   ~BodyPiece();
 
-  /// Distance from a tip to the nearest corner of a triangle, mm; infinite if there is no triangle.
+  /// Returns the distance from a tip to the nearest corner of a triangle, mm. It is infinite if
+  /// there is no triangle.
   double nearest(const Vector3& tip) const;
-  double longestEdge() const noexcept { return this->LongestEdge; } ///< mm, 0 without triangles
+  /// Length of the longest edge, mm; 0 without triangles.
+  double longestEdge() const noexcept { return this->LongestEdge; }
   const Eigen::AlignedBox3d& box() const noexcept { return this->Box; }
 
   /**
-   * Returns the triangles that have a corner in one of the balls, enlarged by `margin`. For each
-   * face of `whole` (the box of all pieces) that this piece reaches, a triangle that reaches this
-   * face is added. The cuts of all ranks together therefore have the box `whole`. The cut has the
-   * arrays of the response `name`, SeamArray and CellArray.
+   * Returns the triangles that have a corner in one of the balls. The radii of the balls are
+   * increased by `margin` (mm). `whole` is the bounding box of all pieces. For each face of `whole`
+   * that this piece touches, a triangle that touches this face is added. Therefore the cuts of all
+   * ranks together have the box `whole`. The result has the arrays of the response `name`,
+   * SeamArray and CellArray.
    */
   vtkSmartPointer<vtkPolyData> cut(const std::vector<TipBall>& balls, double margin,
     const Eigen::AlignedBox3d& whole, const std::string& name) const;
@@ -69,12 +75,13 @@ private:
 
   vtkSmartPointer<vtkPolyData> Body;
   std::vector<double> Points;
-  std::vector<std::int32_t> Triangles; ///< three points for each triangle
-  std::vector<char> Finite;            ///< whether each triangle is finite
-  std::vector<std::int32_t> Seam;      ///< index of each point on the seam; -1: not on the seam
+  std::vector<std::int32_t> Triangles; ///< three point ids for each triangle
+  std::vector<char> Finite;            ///< whether the coordinates of each triangle are finite
+  /// Index of each point on the seam; -1 if the point is not on the seam.
+  std::vector<std::int32_t> Seam;
   Eigen::AlignedBox3d Box;
   double LongestEdge = 0.0;
-  vtkSmartPointer<vtkPolyData> Used; ///< the points that triangles use
+  vtkSmartPointer<vtkPolyData> Used; ///< The points that belong to triangles.
   std::vector<std::int32_t> UsedIds;
   vtkNew<vtkStaticPointLocator> Locator; ///< locator for the points of Used
 };

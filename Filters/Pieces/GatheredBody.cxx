@@ -19,8 +19,8 @@ namespace palpate
 {
 namespace
 {
-/// Maps the points of the parts to points of the body. The first part with a seam point adds it;
-/// later parts share it.
+/// Maps the points of the parts to points of the body. The first part that has a seam point adds it
+/// to the body. Later parts use the same point of the body.
 class Numbering
 {
 public:

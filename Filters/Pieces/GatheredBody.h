@@ -14,20 +14,20 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * The parts that BodyPiece has cut on several ranks, as one body with the response `name`. The
- * points of a seam are merged. The origin of each triangle is stored.
+ * One body with the response `name`, joined from the parts that BodyPiece::cut returned on several
+ * ranks. The points of a seam are merged. The rank and the cell of each triangle are stored.
  */
 class GatheredBody
 {
 public:
-  /// The origin of a triangle.
+  /// The rank and the cell from which a triangle comes.
   struct Origin
   {
     int rank;
-    vtkIdType cell; ///< cell of that rank's piece
+    vtkIdType cell; ///< cell of the piece on `rank`
   };
 
-  /// `parts`: at most one for each rank.
+  /// `parts` contains at most one part for each rank.
   GatheredBody(const std::vector<vtkSmartPointer<vtkPolyData>>& parts, const std::string& name);
 
   vtkPolyData* body() const { return this->Body; }

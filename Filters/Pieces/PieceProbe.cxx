@@ -19,14 +19,15 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// Margins, in longest edges. FacetRings consists of one edge from a triangle to its nearest corner,
-// three that a contact crosses between searches, and one for the ring of neighbours.
+// Margins, in units of the length of the longest edge. FacetRings is the sum of one edge from a
+// triangle to its nearest corner, three edges that a contact crosses between searches, and one edge
+// for the ring of neighbours.
 constexpr double FacetRings = 5.0;
 constexpr double SmoothRings = 10.0;
 constexpr double Growth = 1.5;
-constexpr int MostRounds = 12; // after these rounds the whole body is gathered
+constexpr int MostRounds = 12; // after this number of rounds, the whole body is gathered
 
-/// Calls visit(points, size) for each polyline.
+/// Calls visit(points, size) for each polyline of the tips.
 template <class Visit>
 void forLines(vtkPolyData* tips, const Visit& visit)
 {
@@ -62,8 +63,8 @@ PieceProbe::PieceProbe(const Ranks& ranks, const BodyPiece& piece, const std::st
   this->LongestEdge = ranks.largest(piece.longestEdge());
 }
 
-/// Returns balls that are large enough if the tip touches the nearest point, or if a contact that
-/// began at that point is followed.
+/// Returns balls that are large enough in two cases: the tip touches the nearest point, or a
+/// contact that began at the nearest point is tracked.
 std::vector<TipBall> PieceProbe::firstBalls(vtkPolyData* tips, double indentation) const
 {
   std::vector<std::array<double, 3>> own;
@@ -181,7 +182,7 @@ std::string PieceProbe::touchPart(const std::vector<TipBall>& balls, double marg
     const GatheredBody gathered(parts, this->Name);
     if (gathered.body()->GetNumberOfPolys() == 0)
     {
-      for (PieceTouch& each : touched) // no tip is finite, or there is no triangle
+      for (PieceTouch& each : touched) // no tip is finite, or the body has no triangle
       {
         each.contact.state = ContactState::Invalid;
       }
@@ -228,7 +229,7 @@ std::vector<double> PieceProbe::neededRadii(
   forLines(tips,
     [&](const vtkIdType* points, vtkIdType size)
     {
-      double held = 0.0; // largest distance between the followed contact and the preceding tip
+      double held = 0.0; // largest distance between the tracked contact and the preceding tip
       for (vtkIdType i = 0; i < size; ++i)
       {
         const auto now = static_cast<std::size_t>(points[i]);

@@ -22,10 +22,11 @@ namespace palpate
 {
 namespace
 {
-// Tolerance per component of unit normals, which may have been rounded in a file.
+// Tolerance for each component of unit normals, because the normals may have been rounded in a
+// file.
 constexpr double NormalTolerance = 1e-4;
 
-/// A point on the border of a piece, as sent to the other ranks.
+/// A point on the border of a piece, in the form that is sent to the other ranks.
 struct BorderPoint
 {
   std::array<double, 3> at;
@@ -46,14 +47,14 @@ struct BorderPoint
   }
 };
 
-/// An edge with the direction that it has in its triangle.
+/// An edge of a triangle, in the direction in which the triangle traverses it.
 struct Edge
 {
   std::int32_t from;
   std::int32_t to;
 };
 
-/// The part of a piece within the boxes of other pieces, in which a seam is possible.
+/// The part of a piece that is within the boxes of other pieces. Only this part can have a seam.
 class Overlap
 {
 public:
@@ -69,8 +70,8 @@ public:
       within[i] = std::any_of(others.begin(), others.end(),
         [&x](const Eigen::AlignedBox3d& box) { return box.contains(x); });
     }
-    // Includes all triangles around the points in the boxes, so that all edges at the points are
-    // known.
+    // All triangles around the points in the boxes are included, so that all edges at these points
+    // are known.
     std::vector<std::int32_t> number(count, -1);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     {
@@ -116,7 +117,7 @@ public:
     std::sort(this->Border.begin(), this->Border.end());
   }
 
-  /// Points of the piece on its border, ascending, and its border edges.
+  /// Returns the points on the border of the piece, in ascending order.
   const std::vector<std::int32_t>& border() const { return this->Border; }
   const std::vector<Edge>& edges() const { return this->Edges; }
 
@@ -147,7 +148,7 @@ Eigen::AlignedBox3d boxOf(vtkPolyData* body)
   return box;
 }
 
-/// Finds points at the same position by a grid whose cells are wider than the tolerance.
+/// Finds points at the same position with a grid whose cells are wider than the tolerance.
 class PositionGrid
 {
 public:
@@ -156,7 +157,8 @@ public:
     , Size(8.0 * tolerance)
   {
   }
-  /// Returns the group of the point: that of an earlier point at the same position, or a new group.
+  /// Returns the group of the point. It is the group of an earlier point at the same position or,
+  /// if there is none, a new group.
   std::int32_t groupOf(const BorderPoint& point)
   {
     std::array<std::int64_t, 3> low{};
@@ -202,8 +204,8 @@ private:
   {
     return static_cast<std::int64_t>(std::floor(x / this->Size));
   }
-  /// Returns the key of a cell. Several cells may have the same key; their points are distinguished
-  /// by a comparison.
+  /// Returns the key of a cell. Several cells may have the same key. Their points are then
+  /// distinguished by comparing positions.
   static std::uint64_t keyOf(const std::array<std::int64_t, 3>& cell)
   {
     std::uint64_t key = 0;
@@ -245,8 +247,8 @@ std::vector<BorderPoint> describe(vtkPolyData* body, const std::vector<std::int3
   return described;
 }
 
-/// Returns the boxes of the other ranks' pieces, enlarged by `tolerance`, which is the same on all
-/// ranks.
+/// Returns the boxes of the other ranks' pieces, enlarged by `tolerance`. `tolerance` receives a
+/// value that is the same on all ranks.
 std::vector<Eigen::AlignedBox3d> findOthers(
   const Ranks& ranks, vtkPolyData* body, double& tolerance)
 {

@@ -8,7 +8,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The seam points of a body's pieces (see BodySeam); `body` is the piece of this rank. Collective.
+/// Returns the seam points of a body's pieces (see BodySeam). `body` is the piece of this rank.
+/// Collective.
 BodySeam::Points findSeam(const Ranks& ranks, vtkPolyData* body);
 } // namespace palpate
 

@@ -14,7 +14,8 @@
 
 namespace palpate
 {
-/// Type and shape of an array as text, for example "float with 3 components and 20 tuples".
+/// Returns the type and the shape of an array as text, for example "float with 3 components and 20
+/// tuples".
 inline std::string shapeOf(vtkAbstractArray* array)
 {
   return joined(array->GetDataTypeAsString(), " with ", array->GetNumberOfComponents(),

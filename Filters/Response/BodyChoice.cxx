@@ -50,8 +50,8 @@ std::string capitalised(std::string words)
   return words;
 }
 
-/// Stores the number of elements that the relaxation needs. Removes the array if the relaxation
-/// does not matter.
+/// Stores the number of elements that the relaxation needs. Removes the array if the relaxation has
+/// a negligible effect.
 void keepRelaxation(vtkPolyData* body, const std::string& name, const RelaxationTerms& terms,
   const RelaxationNeed& need)
 {
@@ -106,8 +106,8 @@ std::string chooseDepth(vtkPolyData* body, const ResponseArrays& arrays, double&
   const double found = at->GetTuple1(0);
   if (depth == 0.0)
   {
-    // If RegimeDeflection is half of the largest Range, the regime had the default depth (half of
-    // Range at each point). Then the depth here is also the default, 0.
+    // If RegimeDeflection is half of the largest Range, the regime was computed for the default
+    // depth, half of Range at each point. In this case the depth is also set to its default, 0.
     const double longest = *std::max_element(arrays.range, arrays.range + arrays.points);
     depth = std::abs(found - 0.5 * longest) <= 1e-6 * longest ? 0.0 : found;
     return {};

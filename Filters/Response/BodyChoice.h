@@ -20,11 +20,12 @@ struct AttachedChoice
   ResponseChoice choice;
   std::string reason;
   int numbersPerPointBefore = 0;
-  RelaxationNeed relaxation; ///< set if the body relaxes
-  TiltNeed tilt;             ///< set if the tool may be tilted
+  RelaxationNeed relaxation; ///< needed elements of relaxation; set if the body relaxes
+  TiltNeed tilt;             ///< needed tilt data; set if the tool may be tilted
 };
 
-/// Replaces a body's response by its simplest form, see vtkResponseChoice.
+/// Replaces a body's response by its simplest form; see vtkResponseChoice. Returns "" or an error
+/// message.
 PALPATERESPONSE_EXPORT std::string attachChoice(vtkPolyData* body, const std::string& responseName,
   const ChoiceSettings& settings, vtkPolyData* output, AttachedChoice& attached);
 } // namespace palpate

@@ -50,8 +50,8 @@ bool fetchNumber(vtkPolyData* body, const std::string& response, ResponseArray w
   return true;
 }
 
-/// Fetches the curves in the form that the body has: Force and Stiffness per point, or Basis and
-/// Coefficient.
+/// Fetches the curves in the form that the body has. The form is either Force and Stiffness per
+/// point, or Basis and Coefficient.
 bool fetchCurves(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error)
 {
@@ -76,7 +76,7 @@ bool fetchCurves(
   return arrays.coefficient != nullptr;
 }
 
-/// Finds the first triangle with a corner whose point index is not within 0 to `points` - 1.
+/// Finds the first triangle with a corner whose point index is not in the range 0 to `points` - 1.
 struct FindLostCorner
 {
   template <class CellState>
@@ -301,7 +301,8 @@ std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body, const std:
   }
   if (arrays.edges.areFelt() != (same.edges != nullptr))
   {
-    return makeContactBody(body, name, error); // only one of the two bodies is cut along its edges
+    // Only one of the two bodies is cut along its sharp edges, so their surfaces differ.
+    return makeContactBody(body, name, error);
   }
   arrays.multipleOf = isMultiple ? &same.response : nullptr;
   const FilterThreads threads;

@@ -23,23 +23,24 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Checks the cells of a body: it must have only triangles. Other polygons, strips, corners that
-/// refer to a missing point, and more than 2^31 points are errors. Returns "" if the cells are
-/// valid, else an error message.
+/// Checks the cells of a body, which must have only triangles. These are errors: other polygons,
+/// strips, corners that refer to a missing point, and more than 2^31 points. Returns "" if the
+/// cells are valid, else an error message.
 PALPATERESPONSE_EXPORT std::string checkTriangles(vtkPolyData* body);
 
-/// Copy the cells and the points of a body that has passed checkTriangles: copyTriangles returns
-/// three point indices per triangle, copyPoints returns x, y, z per point.
+/// copyTriangles returns three point indices per triangle, and copyPoints returns x, y, z per
+/// point. The body must have passed checkTriangles.
 PALPATERESPONSE_EXPORT std::vector<std::int32_t> copyTriangles(vtkPolyData* body);
 PALPATERESPONSE_EXPORT std::vector<double> copyPoints(vtkPolyData* body);
 
 /// Returns the surface of a body that has passed checkTriangles.
 PALPATERESPONSE_EXPORT BodyMesh makeBodyMesh(vtkPolyData* body);
 
-/// Returns the point data or the field data of a body: the one where the contract places the array.
+/// Returns the point data or the field data of a body, depending on where the contract places the
+/// array.
 PALPATERESPONSE_EXPORT vtkFieldData* placeOf(const ContractArray& array, vtkPolyData* body);
 
-/// Removes those arrays of the response `name` that have the use `use`.
+/// Removes all arrays of the response `name` whose ContractArray::Use is `use`.
 PALPATERESPONSE_EXPORT void removeArrays(
   vtkPolyData* body, const std::string& name, ContractArray::Use use);
 
@@ -47,7 +48,7 @@ PALPATERESPONSE_EXPORT void removeArrays(
 PALPATERESPONSE_EXPORT void removeResponse(vtkPolyData* body, const std::string& name);
 
 /// Sets `arrays` to views of the response arrays with prefix `name`, in either form. Returns false
-/// and an error if they break the contract.
+/// and an error if the arrays break the contract.
 PALPATERESPONSE_EXPORT bool viewResponse(
   vtkPolyData* body, const std::string& name, ResponseArrays& arrays, std::string& error);
 
@@ -57,19 +58,19 @@ PALPATERESPONSE_EXPORT bool viewResponse(
 PALPATERESPONSE_EXPORT bool viewValidity(vtkPolyData* body, const std::string& name,
   const float*& validity, const unsigned char*& limit, std::string& error);
 
-/// Makes the response as the kernel stores it, in the order of the points. Returns null and an
-/// error if the arrays break the contract.
+/// Creates the kernel's copy of the response, in the order of the points. Returns null and an error
+/// if the arrays break the contract.
 PALPATERESPONSE_EXPORT std::unique_ptr<ResponseField> makeResponseField(
   vtkPolyData* body, const std::string& name, std::string& error);
 
-/// Makes all data of a body that a tick needs. Returns null and an error if a part is missing or
-/// invalid.
+/// Creates all data of a body that one tick needs. Returns null and an error if a part of the data
+/// is missing or invalid.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const BuildProgress& progress = {});
 
-/// Makes the data of a body with the points and triangles of `same` but other responses. The two
-/// bodies share the surface, so this takes a tenth of the time. `isMultiple`: the curves are the
-/// curves of `same` times one factor.
+/// Creates the data of a body with the points and triangles of `same` and other responses. The two
+/// bodies share the surface; therefore this call takes a tenth of the time. `isMultiple` states
+/// that the curves are the curves of `same` times one factor.
 PALPATERESPONSE_EXPORT std::shared_ptr<const ContactBody> makeContactBody(vtkPolyData* body,
   const std::string& name, std::string& error, const ContactBody& same, bool isMultiple = false);
 
@@ -80,7 +81,7 @@ struct ResponseDescription
   int samples;
   std::string tool;
   std::string model;
-  int modelParts; ///< sum of ModelPart
+  int modelParts; ///< sum of the ModelPart values of the model
 };
 
 /// Attaches the field arrays Exponent, Samples, Tool, Model, ModelParts and Units.
@@ -101,19 +102,20 @@ struct ResponseModel
 PALPATERESPONSE_EXPORT void describeModel(
   vtkPolyData* body, const std::string& name, const ResponseModel& model);
 
-/// Name of the point array with the body's motion, computed by finite elements
-/// (vtkElasticCompliance).
+/// Name of the point array with the motion of the body, which vtkElasticCompliance computes by
+/// finite elements.
 constexpr const char* CouplingModesName = "CouplingModes";
 
 /// Attaches the field arrays RelaxationStrength and RelaxationTime. Replaces existing ones.
 PALPATERESPONSE_EXPORT void describeRelaxation(
   vtkPolyData* body, const std::string& name, const PronySeries& series);
 
-/// Returns the model of a response. Older files store only the text; the parts are then read from
-/// the text.
+/// Returns the model of a response. Older files store only the text. For such a file, the parts are
+/// derived from the text.
 PALPATERESPONSE_EXPORT ResponseModel responseModel(vtkPolyData* body, const std::string& name);
 
-/// Returns the string in a field array (Tool, Model, Units); "" if the body has no such array.
+/// Returns the text in a field array of the response (Tool, Model or Units). Returns "" if the body
+/// does not have the array.
 PALPATERESPONSE_EXPORT std::string responseText(
   vtkPolyData* body, const std::string& name, ResponseArray which);
 } // namespace palpate

@@ -38,7 +38,7 @@ vtkIdType firstTriangle(vtkPolyData* body)
   return body->GetNumberOfVerts() + body->GetNumberOfLines();
 }
 
-/// Copies a triangle from the rank that has it to all ranks.
+/// Copies a triangle to all ranks from the rank that has it.
 FieldTriangle spread(const Ranks& ranks, bool isHere, const FieldTriangle& own)
 {
   if (ranks.areAlone())
@@ -152,8 +152,8 @@ bool isTriangle(vtkPolyData* body, vtkIdType cell)
 
 namespace
 {
-/// Reads the layer stack from the body's arrays. The stack has no layers if the arrays are missing
-/// or invalid.
+/// Reads the layer stack from the arrays of the body. If the arrays are missing or invalid, the
+/// stack has no layers.
 void readStack(
   vtkPolyData* body, const std::string& name, vtkIdList* corners, FieldTriangle& triangle)
 {
@@ -234,8 +234,8 @@ FieldTriangle fieldTriangle(vtkPolyData* body, vtkIdType cell, const std::string
   return triangle;
 }
 
-/// The linked mesh of this rank's piece, its seam, and the state of the body from which it was
-/// made.
+/// The mesh of this rank's piece with its neighbours, the seam of the piece, and the modification
+/// times of the body from which they were made.
 class BodyField::LinkedPiece
 {
 public:
@@ -248,14 +248,15 @@ public:
     , PolysTime(body->GetPolys()->GetMTime())
   {
   }
-  // Modification times are unique, so the two times identify points and triangles.
+  // Modification times are unique. Therefore these two times identify points and triangles.
   bool isOf(vtkPolyData* body) const
   {
     return this->PointsTime == body->GetPoints()->GetMTime() &&
       this->PolysTime == body->GetPolys()->GetMTime();
   }
 
-  /// Has no body if the input has a fault. The field then ends at the defects of the mesh.
+  /// The repaired body. It is null if the input has a fault. The field then ends at the defects of
+  /// the mesh.
   const SoundBody Sound;
   const BodyMesh Mesh;
   const BodySeam Seam;
@@ -305,7 +306,7 @@ std::string BodyField::displace(const Ranks& ranks, vtkPolyData* body, const Fie
       this->Warnings.emplace_back("The response has a global compliance, but the body no "
                                   "GlobalMode0...; the field shows the local part alone, at the "
                                   "whole deflection");
-      // Reported once, because a live display computes the field often.
+      // The warning is issued once, because a live display computes the field often.
       this->ReportedModel = model.text;
     }
   }

@@ -33,11 +33,11 @@ namespace palpate
 {
 namespace
 {
-/// Fraction of the progress for the body's compliance, if it is included.
+/// Fraction of the progress that the compliance of the whole body takes, if it is included.
 constexpr double WholeBodyShare = 0.9;
 
-/// Makes a response step by step. After each step all ranks agree on a fault and on an abort, so
-/// that no rank waits for another one in a later step.
+/// Creates a response step by step. After each step, all ranks exchange their faults and aborts, so
+/// that no rank waits for another rank in a later step.
 class ResponseInMaking
 {
 public:
@@ -53,17 +53,18 @@ public:
   {
   }
 
-  /// Returns "" or an error message. The output is empty after a fault and after an abort.
+  /// Creates the response. Returns "" or an error message. The output is empty after a fault or an
+  /// abort.
   std::string make();
   const std::string& warning() const { return this->Warning; }
 
 private:
-  /// A step of the work. `take` returns an error message or "". If `isAlike`, the message is the
-  /// same on all ranks.
+  /// A step of the work. `take` returns an error message or "". `isAlike` states that the message
+  /// is the same on all ranks.
   struct Step
   {
     std::string (ResponseInMaking::*take)();
-    bool isForAll; ///< whether ranks without a piece of the body take the step, too
+    bool isForAll; ///< whether ranks without a piece of the body also take the step
     bool isAlike;
   };
   static const std::array<Step, 14> Steps;
@@ -95,8 +96,8 @@ private:
     return !this->Observer || this->Observer(from + (1.0 - from) * done);
   }
   SurfaceShape shape() const;
-  /// Makes the finite-strain correction. Collective: all ranks return the same fault, or no
-  /// correction if one of them was aborted.
+  /// Creates the finite-strain correction. Collective. All ranks return the same fault. If one rank
+  /// was aborted, no rank returns a correction.
   Checked<std::unique_ptr<StrainCorrection>> makeStrain(
     const BodyMaterial& material, const StrainLaw& law) const;
 
@@ -293,7 +294,7 @@ std::string ResponseInMaking::attach()
 {
   const std::string& name = this->Request.responseName;
   // A joined point has no triangle of its own, but gets the response of the first point at its
-  // place. So it is not counted here.
+  // position. Therefore joined points are not counted here.
   const vtkIdType without =
     static_cast<vtkIdType>(this->Made.without) - this->Sound->joinedPoints() - this->NotPressed;
   if (without > 0)

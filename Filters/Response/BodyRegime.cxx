@@ -65,7 +65,7 @@ MaterialArrays arraysOf(vtkPolyData* body, const LawRequest& request)
   return arrays;
 }
 
-/// Finds the depths from the deflection or from the Range of the body. Returns "" or an error
+/// Computes the depths from the deflection or from the Range of the body. Returns "" or an error
 /// message.
 std::string findDepths(vtkPolyData* body, const LawRequest& request, std::vector<double>& depths)
 {
@@ -152,8 +152,8 @@ std::string attachRegime(
   std::shared_ptr<const BodyShape> shape;
   if (ranks.any((parts & CurvaturePart) != 0))
   {
-    // The curvatures are those of the response. They are averaged over the widest contact of the
-    // response.
+    // The curvatures are the same as those used for the response. They are averaged over the widest
+    // contact of the response.
     double radius = 0.0;
     auto* normals = vtkFloatArray::SafeDownCast(
       body->GetPointData()->GetArray(arrayName(name, ResponseArray::Normal).c_str()));
@@ -187,7 +187,8 @@ std::string attachRegime(
       };
     }
     std::string noResponse;
-    // The regime assumes small strain, so a response at finite strain is not compared.
+    // The regime assumes small strain. Therefore it is not compared with a response at finite
+    // strain.
     const bool isStored = (parts & FiniteStrainPart) == 0 &&
       responseText(body, name, ResponseArray::Tool) == tool->GetKernel()->specification() &&
       viewResponse(body, name, stored.arrays, noResponse);

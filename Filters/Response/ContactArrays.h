@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * The contacts of a series of tips as point arrays: Force, NormalForce, FrictionForce, Deflection,
- * Normal, ContactPoint, ContactCell, ContactState; for a body that relaxes also MemoryForce; for
- * tools with a known axis also Torque and Tilt. vtkToolContactProbe.h defines them.
+ * Normal, ContactPoint, ContactCell and ContactState. A body that relaxes also has MemoryForce.
+ * Tools with a known axis also have Torque and Tilt. vtkToolContactProbe.h defines them.
  */
 #ifndef ContactArrays_h
 #define ContactArrays_h
@@ -25,11 +25,12 @@ namespace palpate
 class PALPATERESPONSE_EXPORT ContactArrays
 {
 public:
-  /// The values are not initialised: every tip must be stored before the arrays are attached.
+  /// The values are not initialised. Therefore every tip must be stored before the arrays are
+  /// attached.
   explicit ContactArrays(vtkIdType tips, bool relaxes = false, bool hasAxes = false);
 
-  /// `firstPoly` is the cell id of the body's first triangle. Different tips may be stored at the
-  /// same time.
+  /// Stores the contact of a tip. `firstPoly` is the cell id of the body's first triangle. Several
+  /// threads may store different tips at the same time.
   void store(vtkIdType tip, const Contact& contact, vtkIdType firstPoly);
 
   void attach(vtkPolyData* tips);
@@ -43,8 +44,8 @@ private:
   vtkNew<vtkDoubleArray> ContactPoint;
   vtkNew<vtkIdTypeArray> ContactCell;
   vtkNew<vtkUnsignedCharArray> ContactState;
-  vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null: the body does not relax
-  vtkSmartPointer<vtkDoubleArray> Torque;      ///< null: no tool axis is known
+  vtkSmartPointer<vtkDoubleArray> MemoryForce; ///< null if the body does not relax
+  vtkSmartPointer<vtkDoubleArray> Torque;      ///< null if no tool axis is known
   vtkSmartPointer<vtkDoubleArray> Tilt;
 };
 } // namespace palpate

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Whether a filter must stop, because an abort was requested for this filter or, since VTK 9.3,
-/// for an earlier filter of the pipeline.
+/// Returns whether a filter must stop. A filter must stop if an abort was requested for it or,
+/// since VTK 9.3, for an earlier filter of the pipeline.
 inline bool isAborted(vtkAlgorithm* filter)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -20,7 +20,8 @@ inline bool isAborted(vtkAlgorithm* filter)
 #endif
 }
 
-/// A part of a filter's work. Reports progress within [from, to]. Returns whether to continue.
+/// A part of a filter's work. A call reports progress within [from, to] and returns whether to
+/// continue.
 struct FilterStage
 {
   vtkAlgorithm* filter;
@@ -34,8 +35,8 @@ struct FilterStage
   }
 };
 
-/// Updates the filter `inner`, which is used within `stage.filter`. Forwards its progress, and
-/// passes an abort to it. Returns false if aborted.
+/// Updates the filter `inner`, which `stage.filter` uses internally. Forwards the progress of
+/// `inner` to `stage`, and passes an abort to `inner`. Returns false if the work was aborted.
 inline bool runWithin(vtkAlgorithm* inner, FilterStage stage)
 {
   vtkNew<vtkCallbackCommand> forward;

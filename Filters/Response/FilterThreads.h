@@ -10,8 +10,9 @@
 
 namespace palpate
 {
-/// During its lifetime, kernels called by this thread use as many threads as VTK's own loops. It
-/// has no effect if VTK's loops are not threaded (back end Sequential, ParaView's default).
+/// During the lifetime of this object, kernels that this thread calls use as many threads as VTK's
+/// own loops. The object has no effect if VTK's loops are sequential (back end Sequential,
+/// ParaView's default).
 class FilterThreads
 {
   ThreadLimit Limit{ threadCount() };

@@ -36,8 +36,8 @@ vtkSmartPointer<Array> copied(
   return array;
 }
 
-/// Returns points stored as floats if all coordinates are exactly representable as floats.
-/// Otherwise returns points stored as doubles.
+/// Returns points that are stored as floats if all coordinates are exactly representable as floats.
+/// Otherwise returns points that are stored as doubles.
 vtkSmartPointer<vtkDataArray> copiedPoints(const double* coordinates, vtkIdType count)
 {
   const bool fits = std::all_of(coordinates, coordinates + 3 * count,

@@ -17,7 +17,8 @@ namespace palpate
 void copyWithOwnFields(vtkPolyData* from, vtkPolyData* to)
 {
   to->ShallowCopy(from);
-  vtkNew<vtkFieldData> fields; // ShallowCopy shares the field data of the original
+  // Own list, because ShallowCopy shares the field data of the original.
+  vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(from->GetFieldData());
   to->SetFieldData(fields);
 }

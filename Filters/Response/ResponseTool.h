@@ -13,8 +13,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Returns `set` if it is not null, otherwise the tool that is stored with the response `name` of
-/// the body. If the body has no such tool, returns null and an error that names the missing part.
+/// Returns `set` if it is not null. Otherwise returns the tool that is stored with the response
+/// `name` of the body. If no tool is stored, returns null and an error that names the missing part.
 PALPATERESPONSE_EXPORT vtkSmartPointer<vtkContactTool> findTool(
   vtkContactTool* set, vtkPolyData* body, const std::string& name, std::string& error);
 } // namespace palpate

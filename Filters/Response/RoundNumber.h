@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `value` >
-/// 0.
+/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `value`.
+/// `value` must be > 0.
 inline double roundDown(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -16,7 +16,8 @@ inline double roundDown(double value)
 }
 
 /// Returns the smallest number of the form 1, 2, 3, 4, 6 or 8 times a power of ten that is at least
-/// `value` > 0. A quarter of such a number has few digits, too.
+/// `value`. `value` must be > 0. These forms are used because a quarter of such a number has few
+/// digits, too.
 inline double roundUp(double value)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));

@@ -4,27 +4,28 @@
  * @brief   reads a body or a scan from any kind of file that Palpate knows, and never crashes on a
  *   file
  *
- * Output: the content of the file. The end of the name determines the kind, in upper or lower case:
+ * Output: the content of the file. The end of the file name, in upper or lower case, determines the
+ * file format:
  * - `.stl` (ASCII or binary), `.obj`, `.ply`, `.vtp`: a vtkPolyData. Corners of an `.stl` at the
- *   same place become one point. Each vertex of an `.obj` is one point, whatever its texture
- *   coordinates; its normals are kept if each point has a single normal;
+ *   same position become one point. Each vertex of an `.obj` is one point, even if it has several
+ *   texture coordinates. The normals of an `.obj` are kept if each point has a single normal;
  * - `.vtu`: a vtkUnstructuredGrid; `.vtk`: any of VTK's data sets; `.vti`: a vtkImageData;
  * - `.nii`, `.nii.gz`: a vtkImageData in millimetres, with the header applied. A value is scl_slope
- *   times the stored value, plus scl_inter. Points are placed by the sform, otherwise by the qform
- *   (+x right, +y anterior, +z superior), from m, mm or um. Without either the origin is the first
- *   voxel. The image's direction matrix turns the grid; vtkSkinSurface, vtkLayerThickness and
- *   vtkScannedMaterial use that matrix.
+ *   times the stored value, plus scl_inter. The sform, otherwise the qform, gives the coordinates
+ *   of the points (+x right, +y anterior, +z superior). The header's unit may be m, mm or um.
+ *   Without sform and qform, the origin is the first voxel. The direction matrix of the image
+ *   rotates the grid. vtkSkinSurface, vtkLayerThickness and vtkScannedMaterial use this matrix.
  *
  * Pass the output to vtkBodySurface. Pass a scan to vtkSkinSurface, vtkLayerThickness and
  * vtkScannedMaterial.
  *
  * Errors name the file and, if known, the line, facet, row or header entry. These are errors: a
- * file that is missing, empty, truncated, damaged or of an unknown kind, and a NIfTI scan with
+ * file that is missing, empty, truncated, damaged or of an unknown format, and a NIfTI scan with
  * several images. Files that VTK reads are read twice, first in a copy of the process. If a reader
- * of VTK crashes there, the file is reported as an error. Read files while no other thread uses
- * VTK.
+ * of VTK crashes in the copy, the filter reports an error for the file. Read files only while no
+ * other thread uses VTK.
  *
- * A file that has changed is read again after Modified().
+ * If the file has changed, call Modified() to read it again.
  *
  * @code{.py}
  * reader = palpate.vtkBodyFileReader()
@@ -59,15 +60,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file. */
+  /** Path of the file. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** The file name extensions that can be read, ".vtp .stl ...". */
+  /** Returns the file name extensions that can be read, as the text ".vtp .stl ...". */
   static std::string GetFileExtensions();
 
-  /** The error of the last file, without its name; "" if it was read. */
+  /** Returns the error of the last file, without the name of the file; "" if the file was read. */
   std::string GetFault() { return this->Fault; }
 
   ///@{

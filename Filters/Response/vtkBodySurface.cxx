@@ -30,9 +30,9 @@
 
 namespace
 {
-constexpr double SmallestBody = 5.0;   // mm, shortest plausible longest side
-constexpr double LargestBody = 5000.0; // mm, longest plausible longest side
-// Millimetres per unit, for each LengthUnitType.
+constexpr double SmallestBody = 5.0;   // smallest plausible value of the longest side, mm
+constexpr double LargestBody = 5000.0; // largest plausible value of the longest side, mm
+// Number of millimetres per unit, for each LengthUnitType.
 constexpr std::array<double, 3> Millimetres = { 1.0, 10.0, 1000.0 };
 
 vtkSmartPointer<vtkPolyData> turned(vtkPolyData* surface)
@@ -112,8 +112,8 @@ std::string vtkBodySurface::GetNote(int index)
 //------------------------------------------------------------------------------
 int vtkBodySurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  // The composite type is first, so that a composite is processed as a whole and not block by
-  // block. The last type admits all other data, for which RequestData reports an error with the
+  // The composite type is first, so that a composite data set is processed as a whole and not block
+  // by block. The last type admits all other data. For these, RequestData reports an error with the
   // remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -298,7 +298,8 @@ void vtkBodySurface::Measure(vtkPolyData* body, const palpate::Ranks& ranks)
   for (int i = 0; i < 6; i += 2)
   {
     const double side = ranks.largest(box[i + 1]) - ranks.smallest(box[i]);
-    this->LongestSide = std::max(this->LongestSide, side); // negative if the box is empty
+    // The side is negative if the box is empty.
+    this->LongestSide = std::max(this->LongestSide, side);
   }
   if (this->AskAboutSize && ranks.own() == 0 && vtkBodySurface::IsSizeDoubtful(this->LongestSide))
   {

@@ -50,7 +50,7 @@ vtkMultiProcessController* vtkContactDeflection::GetController()
 
 int vtkContactDeflection::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Accepts any data: RequestData reports a wrong type and the remedy.
+  // Accepts any data, because RequestData reports a wrong type together with the remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

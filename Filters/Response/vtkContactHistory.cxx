@@ -76,7 +76,7 @@ void addNumbers(vtkTable* table, const Rows& rows, const char* name, vtkDataArra
   table->AddColumn(column);
 }
 
-/// Adds one column per polyline.
+/// Adds one force column per polyline.
 template <class Value>
 void addForces(vtkTable* table, const Rows& rows, const std::string& name, const Value& value)
 {
@@ -93,7 +93,7 @@ void addForces(vtkTable* table, const Rows& rows, const std::string& name, const
   }
 }
 
-/// Returns a point array with this number of components, or null.
+/// Returns a point array with `components` components. Returns null if there is none.
 vtkDataArray* find(vtkPolyData* tips, const char* name, int components)
 {
   vtkDataArray* array = tips->GetPointData()->GetArray(name);

@@ -5,21 +5,22 @@
  *
  * Input: tips with their forces, from vtkToolContactProbe, or from vtkTrajectoryReader for a
  * trajectory that was recorded with its forces. The point arrays `Deflection` (mm) and
- * `NormalForce` (N) are required. Used if present: `Time` (s), `MemoryForce` (N), `FrictionForce`
- * (3, N), the total `Force` (3, N) or `IdealForce` (N), and `SentForce` (3, N), the force sent to
- * the device.
+ * `NormalForce` (N) are required. These arrays are used if they are present: `Time` (s),
+ * `MemoryForce` (N), `FrictionForce` (3 components, N), the total `Force` (3 components, N) or
+ * `IdealForce` (N), and `SentForce` (3 components, N), which is the force sent to the device.
  *
- * Output: a vtkTable with a row per tip, in the order of the polyline, or of the points if the
- * input has no polyline. The first column is the Abscissa, `Time (s)` or `Deflection (mm)`. The
- * next columns are the other of these two quantities, if known, and `Normal Force (N)`. For a body
- * that relaxes, `Slow Force (N)` and `Memory Force (N)` follow. Their sum is the normal force; over
- * deflection, the normal force is a loop around the slow force. If present, the magnitudes
- * `Friction Force (N)`, `Force (N)` and `Sent Force (N)` follow. With several polylines, each has
- * its own rows and its own force columns, named `Normal Force of line 2 (N)`. These columns are NaN
- * in the rows of other polylines. Points outside all polylines are then left out.
+ * Output: a vtkTable with a row per tip, in the order of the polyline. If the input has no
+ * polyline, the rows are in the order of the points. The first column is the Abscissa, `Time (s)`
+ * or `Deflection (mm)`. The next columns are the other of these two quantities, if known, and
+ * `Normal Force (N)`. For a body that relaxes, `Slow Force (N)` and `Memory Force (N)` follow.
+ * Their sum is the normal force. In a plot over deflection, the normal force forms a loop around
+ * the slow force. If present, the magnitudes `Friction Force (N)`, `Force (N)` and `Sent Force (N)`
+ * follow. With several polylines, each has its own rows and its own force columns, named `Normal
+ * Force of line 2 (N)`. These columns are NaN in the rows of other polylines. Points outside all
+ * polylines are then left out.
  *
- * Errors: a required array is missing or does not have one number per point (the error names it,
- * and the filter to apply first); Abscissa is Time, but the input has no `Time`.
+ * Errors: a required array is missing or does not have one number per point (the error names the
+ * array and the filter to apply first); Abscissa is Time, but the input has no array `Time`.
  *
  * @code{.py}
  * history = palpate.vtkContactHistory()
@@ -52,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Abscissa of the plot: Automatic (default; the time if it is known, else the deflection), Time,
-   * or Deflection.
+   * Abscissa of the plot. Automatic (default) selects the time if it is known, else the deflection.
+   * The other values are Time and Deflection.
    */
   vtkSetClampMacro(Abscissa, int, Automatic, Deflection);
   vtkGetMacro(Abscissa, int);

@@ -1,40 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkContactRegime
- * @brief whether a body deforms locally or globally under a tool, and so whether the tool's shape
- *   matters
+ * @brief determines whether a body deforms locally or globally under a tool, and whether the shape
+ *   of the tool matters
  *
- * Input: the body with the material of its response. The properties and arrays to process are those
- * of vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3 Poisson's
- * ratio). If the response has a global compliance and no array is given for it, the array
- * `GlobalCompliance` of the body is used. Output: the body with these arrays, per point, for the
- * tool pressed `Deflection` deep:
+ * Input: the body with the material of its response. The properties and the arrays to process are
+ * those of vtkToolContactResponse (0 Young's modulus, 1 layer thickness, 2 global compliance, 3
+ * Poisson's ratio). If the response has a global compliance and no array is given for the
+ * compliance, the array `GlobalCompliance` of the body is used. Output: the body with these point
+ * arrays, for the tool pressed to the depth `Deflection`:
  * - `RegimeIndex` (float): λ = 1 - δ_hs(F)/δ, where δ_hs is the depth of the same tool under the
- *   same force on a half-space of the same modulus. At most 1: near 0 for local deformation, near 1
- *   for global deformation, negative where a near base stiffens the body;
+ *   same force on a half-space of the same modulus. λ is at most 1. It is near 0 for local
+ *   deformation, near 1 for global deformation, and negative where a base close to the surface
+ *   stiffens the body;
  * - `ToolSensitivity` (float): S = dlnF/dln(size) at fixed δ, where size is the common scale of the
- *   tool's lengths (sphere: R; flat: its radius; cone, which has no length: tan α);
- * - `RegimeVerdict` (uint8): 0 shape matters (a tool twice as large changes the force by more than
- *   10 %, the just noticeable difference), 1 mixed, 2 a point force suffices (a tool four times as
- *   large changes it by less than 5 %). The verdict follows from S, not from λ: on a layer λ < 0,
- *   and size matters more than on a half-space. The verdict is about the size of a tool. The force
- *   of a flat may differ a little more from that of a sphere: by 7 % between the paper's tools
- *   where all three had verdict 2 (Testing/Studies/paper, Figure 5).
- * - field array `RegimeDeflection` (double, mm; the largest depth, if the depth follows Range): the
- *   depth for which λ and S were computed.
+ *   tool's lengths. The size is R for a sphere, the radius for a flat end, and tan α for a cone,
+ *   which has no length;
+ * - `RegimeVerdict` (uint8). 0: the shape of the tool matters (a tool twice as large changes the
+ *   force by more than 10 %, the just noticeable difference). 1: mixed. 2: a point force suffices
+ *   (a tool four times as large changes the force by less than 5 %). The verdict follows from S,
+ *   not from λ, because on a layer λ < 0, and the size matters more than on a half-space. The
+ *   verdict refers to the size of a tool. The forces of a flat end and a sphere may differ a little
+ *   more: by 7 % between the tools of the paper, where all three had verdict 2
+ *   (Testing/Studies/paper, Figure 5).
+ * - field array `RegimeDeflection` (double, mm): the depth for which λ and S were computed. If the
+ *   depth follows Range, it is the largest depth of all points.
  *
- * Without a stable contact (compliance folds the curve, layer too thin) the numbers are NaN and the
- * verdict is 0.
+ * If there is no stable contact, because the compliance folds the curve or the layer is too thin, λ
+ * and S are NaN and the verdict is 0.
  *
- * Deflection 0 (default): half of the array `<ResponseName>Range` at each point; an error without
- * that array. If the body has the response `ResponseName` of the same tool, its force at that depth
- * must agree with the given material to 2 %, or to its stated error. Otherwise an error names the
- * point, since the regime would be that of a different body than the response. (2 %: the storage
- * error of a response in series. Depths below a hundredth of Range are not compared.)
+ * Deflection 0 (default) selects half of the array `<ResponseName>Range` at each point; if the
+ * array is missing, this is an error. If the body has the response `ResponseName` of the same tool,
+ * the force of this response must agree with the force for the given material to 2 %, or to the
+ * stated error of the response. Otherwise an error names the point, because the regime and the
+ * response would belong to different bodies. The limit of 2 % is the storage error of a response in
+ * series with a compliance. Depths below a hundredth of Range are not compared.
  *
  * Several processes, each with a piece of the body (Controller): the arrays and RegimeDeflection
- * are those of the whole body. An error on one process is an error on all. Ghost cells are left
- * out.
+ * refer to the whole body. An error on one process is an error on all. Ghost cells are left out.
  *
  * Sources: St. Venant, Castigliano; Mahvash and Hayward 2002, section 2. Cost: three times that of
  * vtkToolContactResponse with a compliance. Threaded by vtkSMPTools; the bits do not depend on the
@@ -74,13 +77,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Depth of the verdict, mm. 0 (default): half of the response's Range at each point. */
+  /** Depth of the verdict, mm. 0 (default) selects half of the response's Range at each point. */
   vtkSetMacro(Deflection, double);
   vtkGetMacro(Deflection, double);
   ///@}
 
   ///@{
-  /** As in vtkToolContactResponse, with the same defaults. */
+  /** These properties have the same meaning and defaults as in vtkToolContactResponse. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   vtkSetMacro(PoissonRatio, double);
@@ -95,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /** As in vtkToolContactResponse. */
+  /** These functions have the same meaning as in vtkToolContactResponse. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();
@@ -106,7 +109,7 @@ public:
   ///@}
 
   ///@{
-  /** As in vtkToolContactResponse. */
+  /** This property has the same meaning as in vtkToolContactResponse. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
@@ -128,7 +131,7 @@ private:
   double LayerThickness = 0.0;
   int LayerBase = 0;
   bool ComplianceExcludesLayer = false;
-  std::vector<std::array<double, 4>> AddedLayers; ///< the arguments of AddLayer
+  std::vector<std::array<double, 4>> AddedLayers; ///< arguments of each call of AddLayer
   double BaseYoungsModulus = 1.0;
   double BasePoissonRatio = 0.45;
 };

@@ -4,26 +4,28 @@
  * @brief settings of a contact: form of the force, surface, friction
  *
  * vtkToolContactProbe, vtkToolTouch and vtkHapticSession give the same force at the same tip if
- * these settings are equal. Each starts with its own object. If several share one object
- * (SetSettings), later changes apply to all of them. vtkToolContactProbe also has the properties
- * below, such as SetFrictionCoefficient: they belong to its settings object.
+ * these settings are equal. Each of these classes starts with its own settings object. If several
+ * of them share one object (SetSettings), later changes apply to all. vtkToolContactProbe also has
+ * the properties below, such as SetFrictionCoefficient. Its functions change its settings object.
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
  * | ForceForm | how three curves are combined into one force | 0 to 2 | EnergyConsistent |
  * | ContactSurface | the surface on which tips are projected | 0 to 1 | Smooth |
  * | FrictionModel | behaviour of a contact before it slides | 0 to 2 | ElastoPlastic |
- * | FrictionCoefficient | Coulomb's μ; 0: no friction | finite, >= 0 | 0 |
- * | TangentialStiffness | of the sticking contact, N/mm | finite, > 0 | 1 |
- * | FrictionBreakaway | fraction of the limit below which it sticks | 0 to 1 | 0.8 |
- * | FrictionStickRadius | fraction at which half of a step is creep | > 0, >= breakaway | 0.9 |
- * | PoissonRatio | of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
- * | RelaxationElements | resolution of a body that relaxes | 0 to 32 | 16 |
+ * | FrictionCoefficient | Coulomb's μ; 0 disables friction | finite, >= 0 | 0 |
+ * | TangentialStiffness | stiffness of the sticking contact, N/mm | finite, > 0 | 1 |
+ * | FrictionBreakaway | fraction of the limit below which the contact sticks | 0 to 1 | 0.8 |
+ * | FrictionStickRadius | fraction of the limit at which half of a step is creep | > 0, >=
+ * breakaway | 0.9 |
+ * | PoissonRatio | Poisson's ratio of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
+ * | RelaxationElements | number of elements of a contact on a body that relaxes | 0 to 32 | 16 |
  *
- * Set... accepts any value, since a value may be valid only together with the next one. GetFault
- * describes a value that is out of its range, even if the chosen model does not use it. A filter or
- * session with such settings reports that text as its error and does nothing. A filter reads the
- * settings when it updates, a session at Start and ApplyChanges.
+ * The Set functions accept any value, because a value may be valid only together with another value
+ * that is set later. GetFault describes a value that is out of its range, even if the selected
+ * model does not use the value. A filter or session with invalid settings reports this description
+ * as its error and does nothing. A filter reads the settings when it updates. A session reads them
+ * at Start and ApplyChanges.
  *
  * GetTable returns this table as numbers and text, for a user interface.
  *
@@ -61,35 +63,38 @@ public:
   enum ForceFormType
   {
     /// Σ n_i f_i U_i as printed (Mahvash and Hayward 2002, eq. 3). The blended normal is shorter
-    /// than 1, so the force is up to h²/(6R²) too small inside a facet of size h.
+    /// than 1. Therefore the force inside a facet is too small, by a relative amount of up to
+    /// h²/(6R²), where h is the size of the facet and R the radius of curvature.
     Paper = 0,
-    /// Σ n_i f_i along the normalised Σ n_i U_i.
+    /// Σ n_i f_i along the direction of Σ n_i U_i, normalised.
     NormalizedDirection = 1,
-    /// The gradient of the energy Σ n_i e_i, e_i = ∫ f_i dδ, along the normal of the surface. A
-    /// closed path within one contact neither gains nor loses energy.
+    /// The gradient of the energy Σ n_i e_i, with e_i = ∫ f_i dδ, along the normal of the surface.
+    /// A closed path within one contact neither gains nor loses energy.
     EnergyConsistent = 2
   };
 
   /// Values of ContactSurface.
   enum ContactSurfaceType
   {
-    Facets = 0, ///< the triangles
-    /// One patch per triangle. It passes through the vertices and has the response's normals there.
-    /// The normals are continuous across edges. Use it for round bodies with a faceted mesh.
+    Facets = 0, ///< the flat triangles of the mesh
+    /// One patch per triangle. The patch passes through the vertices and has the normals of the
+    /// response there. The normals are continuous across edges. Use this surface for round bodies
+    /// with a faceted mesh.
     Smooth = 1
   };
 
-  /// Values of FrictionModel: behaviour of a contact before it slides at μ times the normal force.
+  /// Values of FrictionModel, which is the behaviour of a contact before it slides. It slides at μ
+  /// times the normal force.
   enum FrictionModelType
   {
-    /// Sticks elastically with TangentialStiffness, and creeps near the limit. Does not creep below
-    /// the fraction FrictionBreakaway of the limit (Hayward and Armstrong 2000).
+    /// The contact sticks elastically with TangentialStiffness, and creeps near the limit. It does
+    /// not creep below the fraction FrictionBreakaway of the limit (Hayward and Armstrong 2000).
     ElastoPlastic = 0,
-    /// Creeps at any displacement, however small, and so drifts under any changing load.
+    /// The contact creeps at any displacement. Therefore it drifts under any changing load.
     Dahl = 1,
-    /// Derived from the stored response f(δ) itself: Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
-    /// (2-ν)/(2(1-ν)). Slides at u = μcδ (Jaeger 1998; Ciavarella 1998). Uses only μ and
-    /// PoissonRatio.
+    /// The friction is derived from the stored response f(δ): Q(u) = μ [f(δ) - f(δ - u/(μc))], c =
+    /// (2-ν)/(2(1-ν)). The contact slides at u = μcδ (Jaeger 1998; Ciavarella 1998). The model uses
+    /// only μ and PoissonRatio.
     ShapeDerived = 2
   };
 
@@ -121,7 +126,7 @@ public:
   ///@}
 
   ///@{
-  /** Coulomb's μ, finite and >= 0. Default 0: no friction. */
+  /** Coulomb's μ, finite and >= 0. Default 0, which means no friction. */
   void SetFrictionCoefficient(double coefficient)
   {
     this->Assign(this->Values.friction.coefficient, coefficient);
@@ -131,8 +136,8 @@ public:
 
   ///@{
   /**
-   * Stiffness of the sticking contact, N/mm, finite and > 0. Default 1. In a servo loop of period T
-   * with a device of damping b it should not exceed 2b/T. Not used by ShapeDerived.
+   * Stiffness of the sticking contact, N/mm, finite and > 0. Default 1. In a servo loop of period
+   * T, with a device of damping b, it should not exceed 2b/T. ShapeDerived does not use it.
    */
   void SetTangentialStiffness(double stiffness)
   {
@@ -143,9 +148,11 @@ public:
 
   ///@{
   /**
-   * Used by ElastoPlastic only. Breakaway: fraction of the sliding limit up to which the contact is
-   * elastic, 0 to 1, default 0.8; at 0 it creeps under any load. StickRadius: fraction at which
-   * half of a further displacement is creep, positive and not below the breakaway, default 0.9.
+   * Parameters of ElastoPlastic; other models do not use them. FrictionBreakaway is the fraction of
+   * the sliding limit up to which the contact is elastic, 0 to 1, default 0.8. At 0 the contact
+   * creeps under any load. FrictionStickRadius is the fraction of the sliding limit at which half
+   * of a further displacement is creep. It is positive and not below FrictionBreakaway, default
+   * 0.9.
    */
   void SetFrictionBreakaway(double share) { this->Assign(this->Values.friction.breakaway, share); }
   double GetFrictionBreakaway() { return this->Values.friction.breakaway; }
@@ -157,7 +164,7 @@ public:
   ///@}
 
   ///@{
-  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Used by ShapeDerived friction only. */
+  /** Poisson's ratio of the body, 0 to 0.5. Default 0.5. Only ShapeDerived friction uses it. */
   void SetPoissonRatio(double ratio) { this->Assign(this->Values.friction.poissonRatio, ratio); }
   double GetPoissonRatio() { return this->Values.friction.poissonRatio; }
   ///@}
@@ -165,9 +172,10 @@ public:
   ///@{
   /**
    * Number of parallel elements of a relaxing contact, 0 to 32. Each element touches and separates
-   * independently. Default 16: error within 0.9 % of the largest force, for any tool and path; 8:
-   * 3 %; 0: 12 %, a single element, the quasi-linear law. vtkResponseChoice gives the number that a
-   * tolerance needs. Has no effect if the body does not relax.
+   * independently. With 16 elements (default), the error is within 0.9 % of the largest force, for
+   * any tool and path. With 8 elements it is within 3 %. 0 means a single element, which is the
+   * quasi-linear law, with an error within 12 %. vtkResponseChoice computes the number that a
+   * tolerance requires. The setting has no effect if the body does not relax.
    */
   void SetRelaxationElements(int elements)
   {
@@ -177,21 +185,21 @@ public:
   ///@}
 
   /**
-   * Describes a setting that is out of its range, for example "Friction Coefficient must be finite
-   * and not negative, but is -1"; "" if all are valid.
+   * Returns a description of a setting that is out of its range, for example "Friction Coefficient
+   * must be finite and not negative, but is -1". Returns "" if all settings are valid.
    */
   std::string GetFault();
 
   /**
-   * A row per setting: Name, Unit, Minimum (excluded if IncludesMinimum is 0), IncludesMinimum,
-   * Maximum (infinite if unlimited), Default, Values (the names of an enumeration, separated by
-   * spaces, starting at 0) and Help.
+   * Fills a table with a row per setting. The columns are Name; Unit; Minimum; IncludesMinimum,
+   * which is 0 if the minimum itself is excluded; Maximum, which is infinite if there is no limit;
+   * Default; Values, the names of an enumeration, separated by spaces and starting at 0; and Help.
    */
   static void GetTable(vtkTable* table);
 
 #ifndef __VTK_WRAP__
   ///@{
-  /** All settings at once, for C++. */
+  /** Sets or gets all settings at once, for C++. */
   void SetKernel(const palpate::ContactSettings& settings);
   const palpate::ContactSettings& GetKernel() const
   {

@@ -137,7 +137,8 @@ const palpate::AxisymmetricTool* vtkContactTool::GetKernel()
   return this->Kernel.get();
 }
 
-/// Returns the kernel if its law holds at the deflection; otherwise null, after an error.
+/// Returns the kernel if its law holds at the deflection. Otherwise reports an error and returns
+/// null.
 const palpate::AxisymmetricTool* vtkContactTool::GetKernelFor(double deflection)
 {
   const palpate::AxisymmetricTool* tool = this->GetKernel();
@@ -159,7 +160,7 @@ bool vtkContactTool::SetSpecification(const std::string& specification)
     vtkErrorMacro(<< error << ".");
     return false;
   }
-  // Parameters that the shape does not have keep their values.
+  // Parameters that the shape does not use keep their values.
   this->SetShape(static_cast<int>(read.Shape));
   switch (this->Shape)
   {

@@ -5,7 +5,8 @@
  * @brief a rigid tool of revolution, and its law of contact with an elastic half-space
  *
  * The tool is pressed `deflection` mm deep, along its axis and without friction, into a half-space
- * of reduced modulus E* = E/(1-ν²). Units mm, N, MPa; half angles in degrees from the axis.
+ * of reduced modulus E* = E/(1-ν²). The units are mm, N and MPa. Half angles are in degrees from
+ * the axis.
  *
  * | Shape         | parameters    | profile f(r)            | radius a or depth δ       | force F                                              |
  * |---------------|---------------|-------------------------|---------------------------|------------------------------------------------------|
@@ -19,34 +20,36 @@
  * | PowerLaw      | Exponent n, B | B r^n                   | δ = κ B a^n               | 2n/(n+1) E* a δ                                      |
  * | Profile       | points (r, f) | straight, then a wall   | δ = Σ m_i a A_i           | 2E* (aδ - ½ Σ m_i [a²A_i - r_i q_i])                 |
  *
- * Radius is the radius of the flat end (a, b), of the tip, or of the sphere (R). R_e is EdgeRadius,
+ * Radius is the radius of the flat end (a or b), the tip (R) or the sphere (R). R_e is EdgeRadius,
  * B the Coefficient, α the HalfAngle. Beyond b, BluntedCone continues along the sphere's tangent. A
- * = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2); m_i is
- * the change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.) For every shape
- * dF/dδ = 2 E* a. The strain is measured by a/R if the tip has a radius R (Paraboloid, Sphere,
- * BluntedCone), otherwise by δ/a.
+ * = arccos(b/a), q = √(a²-b²), L = ln[(R+a)/(R sin α+q)], κ = (√π/2) n Γ(n/2)/Γ((n+1)/2). In the
+ * row Profile, m_i is the change of slope at r_i. (Hertz 1882; Sneddon 1965; Popov and Hess 2015.)
+ * For every shape dF/dδ = 2 E* a. The strain is measured by a/R if the tip has a radius R
+ * (Paraboloid, Sphere, BluntedCone), otherwise by δ/a.
  *
  * **Profiles.** For points taken from a smooth tool, the error of the law falls with the square of
- * their spacing. The formulas hold for one full circle of contact. A tool that is not convex (a
- * shoulder, a groove, a second ring) would touch outside this circle beyond a certain depth. If it
- * is pressed deeper, every Get... reports an error that names the deflection and the radius, and
- * returns NaN: see GetDepthLimit. A ring below the tip is an error at once.
+ * their spacing. The formulas hold for one full circle of contact. Beyond a certain depth
+ * (GetDepthLimit), a tool that is not convex (a shoulder, a groove, a second ring) would touch
+ * outside this circle. If it is pressed deeper, every Get function reports an error that names the
+ * deflection and the radius, and returns NaN. A ring that is lower than the tip is an error at any
+ * depth.
  *
- * **On the sphere of Mahvash and Hayward (2002), Table 1.** There it is printed as 4/3 √(R E*)
- * δ^1.5, with E* under the root. The correct form, that of Paraboloid, is 4/3 E* √R δ^1.5: the
- * force on a linear elastic body is linear in its modulus, and only then are the units N (MPa ·
- * mm^½ · mm^1.5). Paraboloid is Hertz's approximation of a sphere, good while a << R. At a/R = 0.4
- * it is 1.7 % too stiff at equal depth; for the paper's own 3.2 mm sphere at 12 N it gives a/R = 1.
- * Sphere is exact at every depth of linear elasticity.
+ * **The sphere in Mahvash and Hayward (2002), Table 1.** The table prints the force as 4/3 √(R E*)
+ * δ^1.5, with E* under the root. The correct form is that of Paraboloid, 4/3 E* √R δ^1.5, because
+ * the force on a linear elastic body is linear in its modulus. Only this form has the unit N (MPa ·
+ * mm^½ · mm^1.5). Paraboloid is Hertz's approximation of a sphere, which is accurate if a << R. At
+ * a/R = 0.4 it is 1.7 % too stiff at equal depth. For the 3.2 mm sphere of that paper at 12 N, it
+ * gives a/R = 1. Sphere is exact at every depth within linear elasticity.
  *
- * A deflection <= 0 gives 0, NaN gives NaN. An invalid tool or argument (a radius that is not
+ * A deflection <= 0 gives 0, and NaN gives NaN. An invalid tool or argument (a radius that is not
  * positive, a half angle outside 0..90, an exponent outside 1..100, E* <= 0, ν outside 0..0.5)
  * reports an error and gives NaN. Small strain is assumed: see vtkToolContactResponse, Validity.
  *
- * Cost: force, stiffness and contact radius take less than a microsecond (Profile: for each ten
- * points). For shapes without a closed form (all except Flat, Paraboloid and Cone) pressure and
- * outer displacement integrate with about 100 points (3 µs; Profile: for each point). Get...
- * functions of one object must not run concurrently with Set...
+ * Cost: force, stiffness and contact radius take less than a microsecond; for Profile, less than a
+ * microsecond per ten points. For shapes without a closed form (all except Flat, Paraboloid and
+ * Cone), pressure and outer displacement are integrals with about 100 nodes. They take 3 µs; for
+ * Profile, 3 µs per point. Get functions of one object must not run concurrently with its Set
+ * functions.
  *
  * @code{.py}
  * tool = palpate.vtkContactTool()
@@ -97,7 +100,7 @@ public:
   };
 
   ///@{
-  /** The shape. Default Sphere. */
+  /** Shape of the tool. Default Sphere. */
   vtkSetMacro(Shape, int);
   vtkGetMacro(Shape, int);
   void SetShapeToFlat() { this->SetShape(Flat); }
@@ -113,15 +116,18 @@ public:
 
   ///@{
   /**
-   * Radius of Flat; of the tip of Sphere, Paraboloid and BluntedCone; or of the flat part of
-   * TruncatedCone and RoundedFlat, mm, > 0. Default 5.
+   * Radius of Flat, radius of the tip of Sphere, Paraboloid and BluntedCone, or radius of the flat
+   * part of TruncatedCone and RoundedFlat, mm, > 0. Default 5.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Half angle of a cone of any kind, degrees from its axis, between 0 and 90. Default 60. */
+  /**
+   * Half angle of any cone (Cone, TruncatedCone, BluntedCone), degrees from the axis, between 0 and
+   * 90. Default 60.
+   */
   vtkSetMacro(HalfAngle, double);
   vtkGetMacro(HalfAngle, double);
   ///@}
@@ -134,15 +140,18 @@ public:
 
   ///@{
   /**
-   * Exponent n of PowerLaw, 1..100. Default 2. Below 1 the tip would be a cusp of infinite slope;
-   * above 100 the tool is a flat punch.
+   * Exponent n of PowerLaw, 1 to 100. Default 2. Below 1 the tip would be a cusp of infinite slope.
+   * Above 100 the tool is nearly a flat punch.
    */
   vtkSetMacro(Exponent, double);
   vtkGetMacro(Exponent, double);
   ///@}
 
   ///@{
-  /** Coefficient B of PowerLaw, mm^(1-n), > 0. Default 0.1: with n = 2 a paraboloid of 5 mm. */
+  /**
+   * Coefficient B of PowerLaw, mm^(1-n), > 0. The default 0.1 gives, with n = 2, a paraboloid with
+   * a radius of 5 mm.
+   */
   vtkSetMacro(Coefficient, double);
   vtkGetMacro(Coefficient, double);
   ///@}
@@ -150,7 +159,8 @@ public:
   ///@{
   /**
    * The most important dimension of the tool: the half angle of a Cone (degrees), otherwise the
-   * radius (mm). If HasSize is false (PowerLaw, Profile), Set has no effect and Get returns 0.
+   * radius (mm). If HasSize is false (PowerLaw, Profile), SetSize has no effect and GetSize returns
+   * 0.
    */
   void SetSize(double size);
   double GetSize();
@@ -161,8 +171,8 @@ public:
   ///@{
   /**
    * Points of Profile, mm. x = r is the distance from the axis, increasing. y = f(r) >= 0 is the
-   * height above the tip. The first point is (0, 0); z is ignored. The points are not copied: call
-   * their Modified() after changing them.
+   * height above the tip. The first point is (0, 0). z is ignored. The points are not copied. Call
+   * Modified() of the points after changing them.
    */
   virtual void SetProfile(vtkPoints* points);
   vtkPoints* GetProfilePoints();
@@ -177,59 +187,62 @@ public:
   /**
    * The tool as text: "flat:R", "paraboloid:R", "sphere:R", "cone:DEGREES", "truncated:R,DEGREES",
    * "blunted:R,DEGREES", "rounded:R,EDGE", "power:EXPONENT,COEFFICIENT", "profile:FILE.csv" or
-   * "profile:r1,f1;r2,f2;…" (mm). A file has a line r_mm,f_mm per point. Get writes a profile in
-   * the last form, so that a stored response needs no file. If the text or the file is invalid, Set
-   * reports an error, returns false and changes nothing. If the tool is invalid, Get reports an
-   * error and returns "".
+   * "profile:r1,f1;r2,f2;…" (mm). A file has a line r_mm,f_mm per point. GetSpecification returns a
+   * profile in the last form, so that a stored response does not depend on a file. If the text or
+   * the file is invalid, SetSpecification reports an error, returns false and changes nothing. If
+   * the tool is invalid, GetSpecification reports an error and returns "".
    */
   bool SetSpecification(const std::string& specification);
   std::string GetSpecification();
 
   /**
-   * A description of the tool for captions: "sphere, radius 6.35 mm"; "" if the tool is invalid.
+   * Returns a description of the tool for captions, for example "sphere, radius 6.35 mm". Returns
+   * "" if the tool is invalid.
    */
   std::string GetDescription();
 
-  /** Force, N, at a deflection (mm) into a half-space of reduced modulus E* (MPa). */
+  /** Returns the force, N, at a deflection (mm) into a half-space of reduced modulus E* (MPa). */
   double GetForce(double deflection, double reducedModulus);
-  /** dF/dδ = 2 E* a, N/mm. */
+  /** Returns the stiffness dF/dδ = 2 E* a, N/mm. */
   double GetStiffness(double deflection, double reducedModulus);
-  /** Contact radius a, mm. */
+  /** Returns the contact radius a, mm. */
   double GetContactRadius(double deflection);
   /**
-   * Contact pressure at distance r (mm) from the axis, MPa. 0 outside the contact; +inf at the rim
-   * of Flat, the apex of Cone and the edge of TruncatedCone. For Profile, +inf at each convex and
-   * -inf at each concave corner in contact, and +inf at its wall.
+   * Returns the contact pressure at distance r (mm) from the axis, MPa. It is 0 outside the
+   * contact. It is +inf at the rim of Flat, the apex of Cone and the edge of TruncatedCone. For
+   * Profile, it is +inf at each convex corner in contact, -inf at each concave corner in contact,
+   * and +inf at the wall of the tool.
    */
   double GetPressure(double r, double deflection, double reducedModulus);
   /**
-   * Displacement of the surface at distance r (mm) from the axis, inside and outside the contact:
-   * u[0] radial, > 0 outward, u[1] normal, > 0 into the body, mm. In Python `u` is a list of two,
-   * filled in place.
+   * Computes the displacement of the surface at distance r (mm) from the axis, inside and outside
+   * the contact, mm. u[0] is the radial component, > 0 outward. u[1] is the normal component, > 0
+   * into the body. In Python, `u` is a list of two numbers that is filled in place.
    */
   void GetSurfaceDisplacement(double r, double deflection, double poissonRatio, double u[2]);
 
   /**
-   * Depth (mm) beyond which the tool would touch the body outside the circle of contact, so that no
-   * force is defined. +inf for all shapes except a Profile that is not convex.
+   * Returns the depth (mm) beyond which the tool would touch the body outside the circle of
+   * contact, so that no force is defined. It is +inf for all shapes except a Profile that is not
+   * convex.
    */
   double GetDepthLimit();
 
   /**
-   * Height of the tool's surface above its tip at distance r from the axis, mm; +inf beyond its
-   * wall.
+   * Returns the height of the tool's surface above its tip at distance r from the axis, mm. The
+   * height is +inf beyond the wall of the tool.
    */
   double GetProfile(double r);
 
   /**
-   * The tool for the kernels. Null, after an error, if a parameter is invalid. Owned by this
-   * object, valid until this object changes.
+   * Returns the tool for the kernels. If a parameter is invalid, reports an error and returns null.
+   * This object owns the returned tool, which is valid until this object changes.
    */
   const palpate::AxisymmetricTool* GetKernel();
-  /** Reason why the kernel is missing, or "". Does not report an error. */
+  /** Returns the reason why the kernel is missing, or "". Does not report an error. */
   std::string FindFault();
 
-  /** Includes the modification time of the profile's points. */
+  /** Returns the modification time of this object, including that of the profile's points. */
   vtkMTimeType GetMTime() override;
 
 protected:

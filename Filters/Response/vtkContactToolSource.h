@@ -3,11 +3,11 @@
  * @class vtkContactToolSource
  * @brief geometry of a vtkContactTool, for display
  *
- * The tip is at the origin and the tool rises along +z: its profile, then a straight shaft up to
- * Length. Triangles with outward normals, mm. A tool with a wall (Flat, Sphere, Profile) is drawn
- * up to its wall. A profile that keeps widening (all other shapes) ends at MaximumRadius, or where
- * it reaches 9/10 of Length, and continues as a shaft. Edges and corners of the profile are points
- * of the geometry.
+ * The output consists of triangles with outward normals, in mm. The tip is at the origin, and the
+ * axis of the tool points along +z. The profile is followed by a straight shaft up to Length. A
+ * tool with a wall (Flat, Sphere, Profile) is drawn up to its wall. A profile without a wall (all
+ * other shapes) ends at MaximumRadius, or at 9/10 of Length, and continues as a shaft. Edges and
+ * corners of the profile are points of the geometry.
  *
  * @code{.py}
  * source = palpate.vtkContactToolSource()
@@ -34,13 +34,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool; required. */
+  /** The tool. It is required. */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}
 
   ///@{
-  /** Height of the whole tool, mm, > 0. Default 40. */
+  /** Height of the whole drawn tool, mm, > 0. Default 40. */
   vtkSetMacro(Length, double);
   vtkGetMacro(Length, double);
   ///@}
@@ -52,7 +52,7 @@ public:
   ///@}
 
   ///@{
-  /** Facets around the axis, at least 3. Default 64. */
+  /** Number of facets around the axis, at least 3. Default 64. */
   vtkSetClampMacro(Resolution, int, 3, 1024);
   vtkGetMacro(Resolution, int);
   ///@}

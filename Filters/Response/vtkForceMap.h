@@ -6,12 +6,12 @@
  * Input: a vtkPolyData with the response arrays of ResponseName. Empty input gives empty output.
  *
  * Output: the input with the point arrays (float) `ForceAtDepth` (N; the active scalars),
- * `StiffnessAtDepth` (dF/dδ, N/mm) and `ErrorAtDepth` (estimated relative error of the force; only
- * if the response stores errors). The values are NaN at points without a response, and where Depth
- * is beyond the range of the curve.
+ * `StiffnessAtDepth` (dF/dδ, N/mm) and `ErrorAtDepth` (estimated relative error of the force).
+ * `ErrorAtDepth` exists only if the response stores errors. The values are NaN at points without a
+ * response, and at points where Depth is beyond the range of the curve.
  *
- * Errors, without output: Depth is not positive and finite; the body has no such response.
- * Single-threaded, 0.1 µs per point.
+ * Errors, without output: Depth is not positive and finite; the body has no such response. The
+ * filter is single-threaded and takes 0.1 µs per point.
  *
  * @code{.py}
  * force = palpate.vtkForceMap()

@@ -55,7 +55,7 @@ double LargestSpacing(vtkImageData* scan)
   return std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
-/** Reads the scan along rays into the body. */
+/** Reads the grey values of the scan along rays into the body. */
 class Rays
 {
 public:
@@ -67,18 +67,19 @@ public:
     , Criteria{ baseValue, static_cast<std::ptrdiff_t>(std::ceil(edge / this->Step)),
       static_cast<std::ptrdiff_t>(std::ceil(LargestSpacing(scan) / this->Step)) }
   {
-    // The interpolator reads the active scalars.
+    // The scalars are set as active scalars, because the interpolator reads the active scalars.
     this->Grey->CopyStructure(scan);
     this->Grey->GetPointData()->SetScalars(grey);
     this->Interpolator->SetInterpolationModeToLinear();
-    this->Interpolator->SetTolerance(0.5); // in voxels; the skin may end at the border of the scan
+    this->Interpolator->SetTolerance(0.5); // in voxels; it allows a skin at the border of the scan
     this->Interpolator->Initialize(this->Grey);
   }
 
   std::size_t samples() const { return this->Samples; }
 
   /**
-   * Depth of the base under a point, mm; +inf if no base is found. `grey`: memory for the samples.
+   * Returns the depth of the base under a point, mm; +inf if no base is found. `grey` is a buffer
+   * for the samples.
    */
   double operator()(const double point[3], const float* normal, double* grey) const
   {
@@ -119,7 +120,10 @@ private:
   vtkNew<vtkImageInterpolator> Interpolator;
 };
 
-/** Whether a surface that faces away from the normal of point `i` is within `reach` of a place. */
+/**
+ * Returns whether a surface that faces away from the normal of point `i` is within the distance
+ * `reach` of `place`.
+ */
 bool LeavesBody(const palpate::NormalSurface& surface, vtkIdType i, const double place[3],
   double reach, vtkIdList* near)
 {
@@ -128,7 +132,7 @@ bool LeavesBody(const palpate::NormalSurface& surface, vtkIdType i, const double
     near->begin(), near->end(), [&](vtkIdType j) { return surface.cosine(i, j) < 0.0; });
 }
 
-/** Runs a loop over `count` points in blocks. Returns false if aborted. */
+/** Runs a loop over `count` points in blocks. Returns false if the work was aborted. */
 template <class Loop>
 bool ForAll(vtkIdType count, Stage stage, const Loop& loop)
 {
@@ -175,7 +179,7 @@ int vtkLayerThickness::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-/** Checks scan and properties. Returns "" if they are valid, else an error message. */
+/** Checks the scan and the properties. Returns "" if they are valid, else an error message. */
 std::string vtkLayerThickness::Problem(vtkImageData* scan, vtkDataArray* grey) const
 {
   std::ostringstream text;
@@ -281,7 +285,7 @@ int vtkLayerThickness::RequestData(
   const palpate::NormalSurface surface{ body->GetPoints(), normals->GetPointer(0), locator };
   const Rays findBase(scan, grey, this->MaximumDepth, this->EdgeWidth, this->BaseValue);
 
-  // Find the base under each point.
+  // This step finds the base under each point.
   std::vector<float> depth(static_cast<std::size_t>(count), NotFound);
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<std::vector<double>> samples;
@@ -309,7 +313,8 @@ int vtkLayerThickness::RequestData(
       }
     });
 
-  // Combine the depths around each point. Without neighbours each point keeps its own depth.
+  // This step combines the depths around each point. Without neighbours, each point keeps its own
+  // depth.
   const palpate::BaseNeighbours around(surface, this->SmoothingRadius);
   std::vector<float> medians = depth;
   const bool smoothed = read &&

@@ -14,17 +14,20 @@
  *
  * Laws are stored as the field array `<name>Basis` and coefficients as the point array
  * `<name>Coefficient`. They replace `<name>Force` and `<name>Stiffness`. Every reader of a response
- * accepts both forms. The servo tick evaluates the laws directly: its record of a point shrinks
- * from 80 bytes to 16, plus 4 per coefficient (none for one law). All other arrays pass through.
+ * accepts both forms. The servo tick evaluates the laws directly. Its record of a point shrinks
+ * from 80 bytes to 16 bytes plus 4 bytes per coefficient; with one law there are no coefficients.
+ * All other arrays pass through.
  *
- * The error of a point is the largest difference of the force at any depth up to its Range, divided
- * by the force at that depth (before the first sample: by the force at the first sample). It is
- * computed at every point, four times per interval between samples, from the stored numbers.
- * Between these depths it may be a tenth larger. Curves of different Range (measured curves that
- * end where their data end) need more laws.
+ * The error of a point is the largest difference of the force at any depth up to the Range of the
+ * point, divided by the force at that depth. At depths before the first sample, the difference is
+ * divided by the force at the first sample. The error is computed at every point from the stored
+ * numbers, at four depths per interval between samples. Between these depths the error may be a
+ * tenth larger. Curves of different Range (measured curves that end where their data end) need more
+ * laws.
  *
  * The Get... functions below and the field arrays `<name>Reduction` (text) and
- * `<name>ReductionError` (double, relative) report the dropped numbers and the resulting error.
+ * `<name>ReductionError` (double, relative) report the number of dropped values and the resulting
+ * error.
  *
  * Source: proper orthogonal decomposition (Sirovich 1987), with columns weighted for the relative
  * error; details in ResponseReduction.h. Cost: a few µs per point and core. The bits do not depend
@@ -56,7 +59,7 @@ public:
   vtkTypeMacro(vtkReducedContactResponse, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms of a stored response, in ascending number of stored numbers.
+  /// The forms of a stored response, in ascending order of the amount of stored numbers.
   enum FormType
   {
     OneLaw = 0,
@@ -68,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Largest relative error of the force, > 0. Below about 1e-6 the rounding of floats limits the
-   * accuracy. Default 0.01: a tenth of the difference that a hand can notice.
+   * Largest relative error of the force, > 0. Below about 1e-6, the rounding of floats limits the
+   * accuracy. Default 0.01, which is a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -89,10 +92,10 @@ public:
 
   ///@{
   /**
-   * Results of the last execution: form; numbers stored per point (except normal, range, status),
-   * now and before; largest relative error of the force over all points and depths; the point of
-   * that error (-1: no point has a response); and the largest error of dF/dδ relative to the
-   * curve's steepest value.
+   * Results of the last execution: the form; the numbers stored per point (except normal, range and
+   * status), after and before the reduction; the largest relative error of the force over all
+   * points and depths; the point with this error (-1 if no point has a response); and the largest
+   * error of dF/dδ relative to the largest slope of the curve.
    */
   vtkGetMacro(Form, int);
   vtkGetMacro(NumbersPerPoint, int);
@@ -101,7 +104,7 @@ public:
   vtkGetMacro(WorstPoint, vtkIdType);
   vtkGetMacro(LargestStiffnessError, double);
   ///@}
-  /** These results as a sentence. */
+  /** Returns these results as a sentence. */
   vtkGetMacro(Report, std::string);
 
 protected:

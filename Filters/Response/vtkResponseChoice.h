@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkResponseChoice
- * @brief chooses the simplest response a body needs: a point force, a few laws or a curve per
- *   vertex
+ * @brief chooses the simplest response that suffices for a body: a point force, a few laws or a
+ *   curve per vertex
  *
  * Input: a body with response arrays (vtkToolContactResponse, vtkMeasuredContactResponse), in
  * either form. A point force is considered only if the body also has the arrays of vtkContactRegime
@@ -15,35 +15,36 @@
  * - PerVertex: a curve per point, unchanged.
  *
  * **Laws** are chosen if, at the fraction `Share` of the points, the relative error of the force is
- * at most `Tolerance` at every depth up to Range (before the first sample: relative to the force at
- * that sample). They are stored as the field array `<name>Basis` and the point array
+ * at most `Tolerance` at every depth up to Range. Before the first sample, the error is relative to
+ * the force at that sample. Laws are stored as the field array `<name>Basis` and the point array
  * `<name>Coefficient`.
  *
  * **A point force** is chosen if three conditions hold at the fraction `Share` of the points: the
  * shape of the tool does not matter (RegimeVerdict 2), `Deflection` is within Validity, and the
  * error of the spring is at most `Tolerance` of the force at Range. The stiffness of the spring is
- * the secant of the tool's curve there: the local compliance in series with the global one, nearly
- * 1/GlobalCompliance. Another tool would give the same stiffness to within a few per cent. A
- * contact starts soft: its curve begins with zero stiffness, whereas a spring has its full
- * stiffness from the start. So at a tenth of Range, where the force is a tenth, the relative error
- * may be many times the Tolerance. A point force is never chosen without the regime's arrays, nor
- * for half-spaces and layers, whose λ is never near 1.
+ * the secant stiffness of the tool's curve at Range. It combines the local compliance in series
+ * with the global compliance, and is nearly 1/GlobalCompliance. Another tool would give the same
+ * stiffness to within a few per cent. The curve of a contact begins with zero stiffness, whereas a
+ * spring has its full stiffness from the start. Therefore the relative error at a tenth of Range,
+ * where the force is about a tenth, may be many times the Tolerance. A point force is never chosen
+ * without the arrays of the regime. It is also never chosen for half-spaces and layers, because
+ * their λ is never near 1.
  *
- * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, if it
- * changes the force of no press by more than `Tolerance`. Otherwise the field array
+ * **Relaxation** (vtkToolContactResponse::AddRelaxation) is left out, with its arrays, if it does
+ * not change the force of any press by more than `Tolerance`. Otherwise the field array
  * `<name>RelaxationElements` (int) gives the number of elements (vtkContactSettings) with which the
- * error stays within `Tolerance` of the largest force of a press. The number is for the worst of
- * the studied motions (palpate/RelaxationError.h), since the speed of the tool is unknown.
+ * error stays within `Tolerance` of the largest force of a press. The number is that for the worst
+ * of the studied motions (palpate/RelaxationError.h), because the speed of the tool is unknown.
  *
  * **Tilt and coupling** are left out, with their arrays, if they change no force by more than
  * `Tolerance`. Otherwise the reason gives the change, and for coupling the distance beyond which
  * another tool does not matter (palpate/CouplingNeed.h).
  *
  * GetReason and the field array `<name>Choice` describe the choice with its numbers. They also
- * report where Deflection is beyond Validity: the law's numbers are kept there, but the law no
- * longer describes the body.
+ * state if Deflection is beyond Validity at some points. The numbers of the law are kept at these
+ * points, but the law no longer describes the body there.
  *
- * All other arrays pass through; Validity and Limit remain those of the tool's law. Cost: 20 ns per
+ * All other arrays pass through. Validity and Limit remain those of the tool's law. Cost: 20 ns per
  * point if all curves are the same, else 2 to 3 us per point and core. The bits do not depend on
  * the number of threads. See ResponseChoice.h.
  *
@@ -76,7 +77,7 @@ public:
   vtkTypeMacro(vtkResponseChoice, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The forms that may suffice, simplest first.
+  /// The possible forms of the response, simplest first.
   enum VerdictType
   {
     PointForce = 0,
@@ -88,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Largest error of the force, > 0, as defined above for laws and for a point force. Default 0.01:
-   * a tenth of the difference that a hand can notice.
+   * Largest error of the force, > 0, as defined above for laws and for a point force. Default 0.01,
+   * which is a tenth of the difference that a hand can notice.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -97,8 +98,8 @@ public:
 
   ///@{
   /**
-   * Fraction of the points that must keep the tolerance, > 0 to 1. Default 1: all points. The error
-   * of the other points is not limited: see GetLargestError.
+   * Fraction of the points that must keep the tolerance, > 0 to 1. The default 1 means all points.
+   * The error of the other points is not limited; GetLargestError returns it.
    */
   vtkSetMacro(Share, double);
   vtkGetMacro(Share, double);
@@ -106,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Depth at which regime and validity are checked, mm. Default 0: the depth of the regime; without
-   * a regime, half of Range at each point.
+   * Depth at which regime and validity are checked, mm. The default 0 selects the depth of the
+   * regime or, without a regime, half of Range at each point.
    */
   vtkSetMacro(Deflection, double);
   vtkGetMacro(Deflection, double);
@@ -132,11 +133,11 @@ public:
   ///@}
   ///@{
   /**
-   * Results of the last execution: numbers stored per point (except normal, range, status), now and
-   * before; largest error over all points; fraction of the points within the tolerance; fraction of
-   * the points at which the shape of the tool does not matter (0 without regime); largest error of
-   * springs (0 if they were not considered); fraction of the points at which Deflection is beyond
-   * Validity.
+   * Results of the last execution: numbers stored per point (except normal, range and status),
+   * after and before the choice; largest error over all points; fraction of the points within the
+   * tolerance; fraction of the points at which the shape of the tool does not matter (0 without a
+   * regime); largest error of springs (0 if springs were not considered); fraction of the points at
+   * which Deflection is beyond Validity.
    */
   vtkGetMacro(NumbersPerPoint, int);
   vtkGetMacro(NumbersPerPointBefore, int);
@@ -148,8 +149,8 @@ public:
   ///@}
   /**
    * Result of the last execution: the number of elements that the body's relaxation needs
-   * (vtkContactSettings), 0, 4, 8, 16 or 32. Also 0 if the body does not relax, or relaxes too
-   * little to matter.
+   * (vtkContactSettings): 0, 4, 8, 16 or 32. It is also 0 if the body does not relax, or if the
+   * relaxation has a negligible effect.
    */
   vtkGetMacro(RelaxationElements, int);
 

@@ -36,7 +36,7 @@ struct NamedResponse
   bool covers(vtkIdType id) const { return this->field->isValid(static_cast<std::int32_t>(id)); }
 };
 
-/// Selects `count` of the ids, evenly spaced, including the first and the last.
+/// Returns `count` of the ids, evenly spaced, including the first and the last id.
 std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t count)
 {
   std::vector<vtkIdType> kept;
@@ -47,8 +47,8 @@ std::vector<vtkIdType> thinOut(const std::vector<vtkIdType>& ids, std::size_t co
   return kept;
 }
 
-/// Adds two columns with the bounds of the force that follow from its error. The lower bound is at
-/// least 0, the upper bound at most twice the force.
+/// Adds two columns with the bounds of the force that follow from the error of the force. The lower
+/// bound is at least 0, and the upper bound is at most twice the force.
 void addBand(const NamedResponse& response, vtkIdType id, vtkDoubleArray* deflection,
   vtkDoubleArray* force, vtkTable* table)
 {
@@ -133,12 +133,12 @@ int vtkResponseCurves::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-/// The ids of the selected points, in order.
+/// Returns the ids of the selected points, in ascending order.
 std::vector<vtkIdType> vtkResponseCurves::FindSelected(vtkPolyData* body, vtkSelection* selection)
 {
   if (selection->GetNumberOfNodes() == 0)
   {
-    return {}; // avoids an error of the extractor of VTK 9.1
+    return {}; // this avoids an error of the extractor of VTK 9.1
   }
   this->SelectionExtractor->SetInputData(0, body);
   this->SelectionExtractor->SetInputData(1, selection);
@@ -238,8 +238,8 @@ int vtkResponseCurves::RequestData(
       }
       else if (!selection)
       {
-        // A selected point without this response is kept, since another response may be valid
-        // there.
+        // A selected point without this response is kept, because another response may be valid at
+        // the point.
         vtkErrorMacro(<< "Point " << id << " has no response '" << response.name << "'.");
         return 0;
       }

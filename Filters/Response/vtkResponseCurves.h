@@ -4,20 +4,22 @@
  * @brief the stored force-deflection curves of chosen points, as a table to plot
  *
  * Input port 0: a body with response arrays. Input port 1, optional: a vtkSelection of points of
- * the body, of any kind that vtkExtractSelection understands: indices, thresholds, locations, a
- * frustum. Selected cells select their points. With a selection, PointIds is ignored.
+ * the body, of any type that vtkExtractSelection supports, such as indices, thresholds, locations
+ * or a frustum. Selected cells select their points. With a selection, PointIds is ignored.
  *
  * Output: a vtkTable. The column `Deflection (mm)` goes from 0 to the largest Range of the chosen
- * points in NumberOfRows steps. For each response and point follows a column of force in N, named
- * `<response> at point <id> (N)` and evaluated as the kernel does. Beyond a point's Range the
- * column is NaN. If the response stores its error and ErrorBand is on, two more columns per
- * response and point follow after all these, the bounds of the force by its estimated error:
- * `<response> at point <id>, least (N)` and `<response> at point <id>, most (N)`.
+ * points in NumberOfRows steps. The next columns contain the force in N, one column per response
+ * and point, named `<response> at point <id> (N)`. The force is evaluated as in the kernel. Beyond
+ * the Range of a point, the column is NaN. If the response stores its error and ErrorBand is on,
+ * two more columns per response and point follow after all force columns. They contain the bounds
+ * of the force by its estimated error: `<response> at point <id>, least (N)` and `<response> at
+ * point <id>, most (N)`.
  *
- * A given point without response, or an id out of range, is an error that names it. Selected points
- * without response are left out, with one warning that counts them; if no point is left, that is an
- * error. If more than MaximumNumberOfPoints are selected, only that many are used, evenly spaced
- * among their ids, with a warning. An empty selection, or no PointIds, gives an empty table.
+ * A point of PointIds that has no response, or whose id is out of range, is an error that names the
+ * point. Selected points without response are left out, and one warning gives their number. If no
+ * point is left, this is an error. If more than MaximumNumberOfPoints points are selected, only
+ * MaximumNumberOfPoints of them are used, evenly spaced among their ids, with a warning. An empty
+ * selection, or no PointIds, gives an empty table.
  *
  * @code{.py}
  * curves = palpate.vtkResponseCurves()
@@ -50,17 +52,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The chosen points, in the order of the columns. Default: none, which gives an empty table. */
+  /**
+   * The chosen points, in the order of the columns. By default no point is chosen, which gives an
+   * empty table.
+   */
   void AddPointId(vtkIdType id);
   void RemoveAllPointIds();
   ///@}
 
-  /** The selection, input port 1. */
+  /** Sets the selection, input port 1. */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
 
   /**
-   * The filter that finds the selected points. Default: a vtkExtractSelection. An application with
-   * its own kinds of selection sets its own filter. Only the inputs of that filter are changed.
+   * The filter that finds the selected points. The default is a vtkExtractSelection. An application
+   * with other types of selection sets its own filter. Only the inputs of this filter are changed.
    */
   void SetSelectionExtractor(vtkExtractSelection* extractor);
 
@@ -71,7 +76,7 @@ public:
   ///@}
 
   ///@{
-  /** Rows of the table, at least 2. Default 101. */
+  /** Number of rows of the table, at least 2. Default 101. */
   vtkSetClampMacro(NumberOfRows, int, 2, 1000000);
   vtkGetMacro(NumberOfRows, int);
   ///@}
@@ -84,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Additional responses for the same chart, after ResponseName. A repeated name is ignored.
-   * Default: none.
+   * Additional responses for the same table, after ResponseName. A repeated name is ignored. By
+   * default there are none.
    */
   void AddMoreResponseName(const std::string& name);
   void RemoveAllMoreResponseNames();

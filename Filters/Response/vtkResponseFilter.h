@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkResponseFilter
- * @brief base of the filters that attach a response to a body of given material
+ * @brief base class of the filters that attach a response to a body of given material
  *
- * Abstract. It has the settings that vtkToolContactResponse and vtkElasticContactResponse share.
+ * This abstract class has the settings that vtkToolContactResponse and vtkElasticContactResponse
+ * share.
  *
  * @code{.py}
  * response = palpate.vtkElasticContactResponse()       # is a vtkResponseFilter
@@ -32,36 +33,41 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Samples per curve n, 2 to 256. Default 8. */
+  /** Number n of samples per curve, 2 to 256. Default 8. */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
   ///@{
-  /** Whether the error at each sample is stored in the array `Error`, for displays. Default on; no
-   * effect if ErrorTolerance is 0. */
+  /**
+   * Whether the error at each sample is stored in the array `Error`, for displays. Default on. The
+   * setting has no effect if ErrorTolerance is 0.
+   */
   vtkSetMacro(StoreError, bool);
   vtkGetMacro(StoreError, bool);
   vtkBooleanMacro(StoreError, bool);
   ///@}
 
   ///@{
-  /** Thickness h of an elastic layer on a rigid base, mm, >= 0, used where no array gives the
-   * thickness. Default 0: a half-space. For a body of true shape, AutomaticTerms compares the
-   * response with that of this layer. */
+  /**
+   * Thickness h of an elastic layer on a rigid base, mm, >= 0. It is used where no array gives the
+   * thickness. Default 0, which means a half-space. For a response of the true shape of a body,
+   * AutomaticTerms compares the response with that of this layer.
+   */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
   ///@}
 
   ///@{
   /**
-   * Whether sharp convex edges have an effect: a contact near an edge is softer and is pushed off
-   * the body, and its force falls to zero as it leaves over the edge (palpate/BodyEdges.h; Hetényi
-   * 1970). The curves of a law remain those far from edges; those of true shape include the
-   * softening. A field array `<name>Edges` (double 5: exponent m, contact radius at 1 mm in mm,
-   * Poisson's ratio, extent in mm, 1 if the curves include the edges) lets probe, touch and servo
-   * loop apply them; the error includes the rest of their effect. Default on. Off: the force
-   * drops where a contact passes an edge.
+   * Whether sharp convex edges have an effect. A contact near an edge is softer and is pushed off
+   * the body, and its force falls to zero when the contact moves over the edge
+   * (palpate/BodyEdges.h; Hetényi 1970). The curves of a law remain those far from edges. Curves
+   * for the true shape of a body include the softening. A field array `<name>Edges` (double 5:
+   * exponent m, contact radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 if the curves
+   * include the edges) allows probe, touch and servo loop to apply the effect of edges. The error
+   * includes the part of the effect that is not applied. Default on. If it is off, the force drops
+   * where a contact passes an edge.
    */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
@@ -70,18 +76,20 @@ public:
 
   ///@{
   /**
-   * Largest tilt of the tool against the body's normal, degrees, >= 0. Default 0: the tool counts
-   * as upright, whatever its axis.
+   * Largest tilt of the tool against the body's normal, degrees, >= 0. With the default 0, the tool
+   * counts as upright for any direction of its axis.
    *
-   * Above 0 the output has the field arrays `<name>Tilt`, `<name>TiltDrop`, `<name>TiltNode`
-   * (double) and, if points differ in more than their modulus, the point array `<name>TiltWeight`
-   * (float): how a tilt changes the work of the upright tool (palpate/TiltTable.h). A probe or
-   * session that knows the tool's axis then applies its tilt, and a torque. The law is exact for a
-   * sphere and, on a half-space, for a flat end. Its error is 0.5 % for cones, 1 % for other tools,
-   * and 3 % for flat-ended tools beyond a tenth of their size. On layers it uses the axisymmetric
-   * tool of equal contact radius, within Validity; on a body of true shape it is that of a
-   * half-space. An angle within 4 degrees of that at which a flank of the tool is parallel to the
-   * surface, or beyond, is an error. Cost: a few seconds for each tool without closed form.
+   * If it is above 0, the output has the field arrays `<name>Tilt`, `<name>TiltDrop`,
+   * `<name>TiltNode` (double). If the points differ in more than their modulus, the output also has
+   * the point array `<name>TiltWeight` (float). These arrays describe the change of the work of the
+   * upright tool by a tilt (palpate/TiltTable.h). A probe or session that knows the tool's axis
+   * then includes the tilt in the force and computes a torque. The law is exact for a sphere and,
+   * on a half-space, for a flat end. The error is 0.5 % for cones, 1 % for other tools, and 3 % for
+   * flat-ended tools at depths beyond a tenth of their size. On layers, within Validity, the law
+   * uses the axisymmetric tool of equal contact radius. For a response of the true shape, the law
+   * is that of a half-space. At a certain tilt, a flank of the tool is parallel to the surface. A
+   * MaximumTilt above this tilt minus 4 degrees is an error. Cost: a few seconds for each tool
+   * without closed form.
    */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -89,15 +97,16 @@ public:
 
   ///@{
   /**
-   * How the body relaxes: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a strength p >= 0, relative
-   * to the slow modulus E∞, and a time τ > 0 in seconds; up to four. Default none.
+   * Relaxation of the body: E(t)/E∞ = 1 + Σ p exp(-t/τ). Each branch has a strength p >= 0,
+   * relative to the slow modulus E∞, and a time τ > 0 in seconds. At most four branches are
+   * allowed. By default there are none.
    *
-   * Poisson's ratio does not change. Curves, YoungsModulus and Error are those of the slow
-   * response; the force in time is larger, up to 1 + Σ p times (palpate/ToolContact.h). A fraction
-   * g of the instantaneous modulus, as in the literature, is p = g/(1 - Σ g). A modulus measured in
-   * a press at constant speed is above the slow one (palpate/PronySeries.h, rampFactor). The output
-   * has the field arrays `<name>RelaxationStrength` and `<name>RelaxationTime` (double, a tuple
-   * each, s).
+   * Poisson's ratio does not change. Curves, YoungsModulus and Error refer to the slow response.
+   * The force as a function of time is larger by a factor of up to 1 + Σ p (palpate/ToolContact.h).
+   * If the literature gives a fraction g of the instantaneous modulus, use p = g/(1 - Σ g). A
+   * modulus that was measured in a press at constant speed is above the slow modulus
+   * (palpate/PronySeries.h, rampFactor). The output has the field arrays `<name>RelaxationStrength`
+   * and `<name>RelaxationTime` (double, one tuple per branch, s).
    */
   void AddRelaxation(double strength, double seconds);
   void ClearRelaxations();
@@ -107,9 +116,10 @@ public:
   ///@}
 
   ///@{
-  /** AutomaticTerms: whether to choose the terms of the law by their effect. Default off.
-   * TermTolerance: relative change of the force by terms that may be left out, >= 0. Default
-   * 0.01. */
+  /**
+   * AutomaticTerms: whether the filter chooses the terms of the law by their effect. Default off.
+   * TermTolerance: largest relative change of the force by the omitted terms, >= 0. Default 0.01.
+   */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
   vtkBooleanMacro(AutomaticTerms, bool);
@@ -125,7 +135,8 @@ protected:
   vtkResponseFilter() = default;
   ~vtkResponseFilter() override = default;
 
-  /// Fills the parts of a request that all of these filters have. Returns "" or an error message.
+  /// Fills the parts of a request that all of these filters have in common. Returns "" or an error
+  /// message.
   std::string FillRequest(palpate::LawRequest& request);
 
   int NumberOfSamples = 8;

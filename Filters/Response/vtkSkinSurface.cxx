@@ -28,9 +28,12 @@ namespace
 {
 using Stage = palpate::FilterStage;
 
-constexpr double MaximumVoxels = 4e9; // largest number of voxels of the resampled scan: 16 GB
+// Largest number of voxels of the resampled scan, which take 16 GB.
+constexpr double MaximumVoxels = 4e9;
 
-/** Returns the scan with its scalars as floats. NaN and infinities become the value `lowest`. */
+/**
+ * Returns the scan with its scalars as floats. NaN and infinite values are replaced by `lowest`.
+ */
 palpate::SkinScan TakeScan(vtkImageData* image, vtkDataArray* scalars, double lowest)
 {
   palpate::SkinScan scan;
@@ -105,7 +108,7 @@ int vtkSkinSurface::FillInputPortInformation(int, vtkInformation* info)
 int vtkSkinSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  // The outer skin can only be found from the whole scan.
+  // The outer skin can be found only from the whole scan.
   vtkInformation* info = input[0]->GetInformationObject(0);
   int whole[6];
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
@@ -123,7 +126,7 @@ int vtkSkinSurface::RequestData(
     output->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   if (image->GetNumberOfPoints() == 0 || piece > 0)
   {
-    return 1; // the first piece gets the whole skin
+    return 1; // only the first piece of the output contains the skin, as a whole
   }
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, input);
   const std::string problem = Problem(image, scalars, this->ClosingRadius, this->Resolution);
@@ -146,7 +149,7 @@ int vtkSkinSurface::RequestData(
     return 0;
   }
 
-  // Close the openings, and fill the cavities behind them.
+  // This step closes the openings, and fills the cavities behind them.
   palpate::SkinScan scan = TakeScan(image, scalars, range[0]);
   level.mark(scan.values);
   if (this->ClosingRadius > 0.0 &&

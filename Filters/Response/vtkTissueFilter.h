@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkTissueFilter
- * @brief base of the filters that press a tool into an elastic body: material, strain, depth, error
+ * @brief base class of the filters that press a tool into an elastic body
  *
- * Abstract. Lengths in mm, moduli in MPa.
+ * This abstract class has the settings of material, strain, depth and error. Lengths are in mm, and
+ * moduli are in MPa.
  *
  * @code{.py}
  * response = palpate.vtkToolContactResponse()          # is a vtkTissueFilter
@@ -28,8 +29,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Young's modulus E, MPa, > 0, default 0.1; and Poisson's ratio, 0 to 0.5 (for finite elements
-   * at most 0.499), default 0.45. Used where no array gives the value. */
+  /**
+   * Young's modulus E, MPa, > 0, default 0.1. Poisson's ratio, 0 to 0.5 (for finite elements at
+   * most 0.499), default 0.45. They are used where no array gives the value.
+   */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   vtkSetMacro(PoissonRatio, double);
@@ -47,9 +50,10 @@ public:
 
   ///@{
   /**
-   * Law of the body at large strain: SmallStrain (default), the exact laws of linear elasticity;
-   * NeoHooke; Ogden with one term of the exponent OgdenExponent; Demiray with the exponent
-   * DemirayExponent. Modulus and Poisson's ratio are those at small strain.
+   * Law of the body at large strain. SmallStrain (default) uses the exact laws of linear
+   * elasticity. The other laws are NeoHooke, Ogden with one term of the exponent OgdenExponent, and
+   * Demiray with the exponent DemirayExponent. Modulus and Poisson's ratio are those at small
+   * strain.
    */
   vtkSetClampMacro(StrainModel, int, SmallStrain, Demiray);
   vtkGetMacro(StrainModel, int);
@@ -60,7 +64,7 @@ public:
   ///@}
 
   ///@{
-  /** Ogden's exponent, not 0, and Demiray's exponent b, > 0. Default 2 (Neo-Hooke) and 1. */
+  /** Ogden's exponent, not 0, default 2 (Neo-Hooke). Demiray's exponent b, > 0, default 1. */
   vtkSetMacro(OgdenExponent, double);
   vtkGetMacro(OgdenExponent, double);
   vtkSetMacro(DemirayExponent, double);
@@ -74,8 +78,10 @@ public:
   ///@}
 
   ///@{
-  /** Relative error of the force up to which the response is valid. The error is estimated by
-   * palpate/ErrorRule.h. Default 0.05, 5 %. */
+  /**
+   * Relative error of the force up to which the response is valid. palpate/ErrorRule.h estimates
+   * the error. Default 0.05, which is 5 %.
+   */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}

@@ -31,12 +31,12 @@
 
 namespace
 {
-/// Fraction of the progress for building the kernel's copy of the body.
+/// Fraction of the progress that the creation of the kernel's copy of the body takes.
 constexpr double BuildShare = 0.9;
 
-/// Checks that the response of each piece can be read, and that all pieces have the same kind of
-/// response. Returns "" or an error message. Collective. `isSlow` receives whether the body does
-/// not relax, `isCoupled` whether contacts can interact.
+/// Checks that the response of each piece can be read, and that all pieces have the same type of
+/// response. Returns "" or an error message. Collective. `isSlow` is set to true if the body does
+/// not relax. `isCoupled` is set to true if contacts can interact.
 std::string checkPieces(const palpate::Ranks& ranks, vtkPolyData* piece, const std::string& name,
   bool& isSlow, bool& isCoupled)
 {
@@ -90,7 +90,8 @@ std::string uncoupledFault(const std::string& name)
     "' is missing; make the response with Coupling on";
 }
 
-/// Checks that tips on several ranks can press at once. Returns "" or an error message. Collective.
+/// Checks that tips on several ranks can press at the same time. Returns "" or an error message.
+/// Collective.
 std::string checkTogether(const palpate::Ranks& ranks, vtkPolyData* tips)
 {
   int count = 0;
@@ -133,7 +134,8 @@ vtkMultiProcessController* vtkToolContactProbe::GetController()
 
 int vtkToolContactProbe::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Accepts any data, whole or block by block: RequestData reports a wrong type and the remedy.
+  // Accepts any data, as a whole or block by block, because RequestData reports a wrong type
+  // together with the remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }

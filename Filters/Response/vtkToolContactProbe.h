@@ -1,92 +1,95 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkToolContactProbe
- * @brief the contact force at given tool tips, by the kernel of the servo tick
+ * @brief computes the contact force at given tool tips with the kernel of the servo tick
  *
  * Port 0: a body with response arrays (vtkToolContactResponse). Port 1: tool tips, the points of a
  * vtkPolyData in the body's frame, mm. A point that belongs to no polyline is an independent query
- * of the whole body, without friction. Each polyline is one history: the contact is followed from
- * point to point, with friction, as on a moving tool. A point in several polylines has the value of
- * the last one.
+ * of the whole body, without friction. Each polyline is one history. The contact is tracked from
+ * point to point, with friction, as for a moving tool. A point that belongs to several polylines
+ * has the values of the last of them.
  *
- * An optional point array `ToolAxis` (3 numbers, from the tip up the shaft, of any length above
- * zero) gives the orientation of the tool. It has an effect if the response has tilts
- * (`<name>Tilt...`). Otherwise the tool is assumed to be along the normal. Numbers that are not
- * finite, or all zero, are an error.
+ * An optional point array `ToolAxis` gives the orientation of the tool. It contains a vector of 3
+ * numbers that points from the tip up the shaft and has any length above zero. The array has an
+ * effect if the response contains tilts (`<name>Tilt...`). Otherwise the tool is assumed to be
+ * along the normal. A vector that is zero or not finite is an error.
  *
- * With **Coupled**, tips that press at the same time interact (palpate/CoupledContacts.h). For
- * polylines these are the points with exactly the same `Time` or, without Time, with the same index
- * in their polylines. For single points these are the points with the same Time, or all of them.
- * Points and polylines do not interact. At most 64 tips press at once. Between its first and its
- * last point a polyline must have exactly one point at each Time of another one; before and after,
- * its tool is absent. Each moment is solved to convergence, while a servo loop makes two iterations
- * per tick. The response must have its coupling (vtkToolContactResponse::CouplingOn); otherwise it
- * is an error. Deflection is then that of the tool's own dent, without the part by which the other
- * tools lower the surface. With EnergyConsistent the force that pulls tools towards each other's
- * dents is part of Force, not of NormalForce.
+ * With **Coupled**, tips that press at the same time interact (palpate/CoupledContacts.h). Points
+ * of polylines press at the same time if they have exactly the same `Time` or, without Time, the
+ * same index in their polylines. Single points press at the same time if they have the same Time;
+ * without Time, all of them do. Single points and polylines do not interact. At most 64 tips press
+ * at the same time. Between its first and its last point, a polyline must have exactly one point at
+ * each Time of the other polylines. Before its first and after its last point, its tool is absent.
+ * Each time is solved to convergence, whereas a servo loop computes two iterations per tick. A
+ * response without coupling (vtkToolContactResponse::CouplingOn) is an error. Deflection is then
+ * the deflection of the tool's own dent, without the amount by which the other tools lower the
+ * surface. With EnergyConsistent the force that pulls tools towards each other's dents is part of
+ * Force, not of NormalForce.
  *
  * An optional point array `Time` (s, one number per point) gives the time of each position. The
- * force of a body that relaxes (vtkToolContactResponse::AddRelaxation) depends on it: each polyline
- * starts at its first point without memory, and the tip moves at constant speed from point to
- * point. Without Time, and for single points, the force is the slow force after a long press.
- * Nothing else depends on the rate; friction depends on the displacement, not on the speed. The
- * array Time passes through. Along each polyline Time must be finite and must not decrease;
- * otherwise it is an error.
+ * force of a body that relaxes (vtkToolContactResponse::AddRelaxation) depends on the time. Each
+ * polyline starts at its first point without memory, and the tip moves at constant speed from point
+ * to point. Without Time, and for single points, the force is the slow force after a long press. No
+ * other result depends on the speed; friction depends on the displacement only. The array Time
+ * passes through. A Time that is not finite or that decreases along a polyline is an error.
  *
  * Output: the tips, in input order, with their arrays and
- * - `Force` (double 3, N): total force on the tool: NormalForce along Normal, FrictionForce, and
- *   with EnergyConsistent a small tangential part if the response differs from point to point;
- * - `NormalForce` (double, N): the part along Normal, out of the body;
- * - `FrictionForce` (double 3, N): tangential, against the sliding; zero for single points;
+ * - `Force` (double 3, N): total force on the tool. It is the sum of NormalForce along Normal,
+ *   FrictionForce and, with EnergyConsistent, a small tangential part if the response differs from
+ *   point to point;
+ * - `NormalForce` (double, N): the component of the force along Normal, out of the body;
+ * - `FrictionForce` (double 3, N): the tangential force against the sliding; zero for single
+ *   points;
  * - `Deflection` (double, mm): distance from the tip to its contact point on the undeformed body;
  * - `Normal` (double 3): the blended unit normal used;
- * - `ContactPoint` (double 3, mm), `ContactCell` (vtkIdType: cell of the body, -1 for none);
- * - `ContactState` (uint8): 0 none, 1 stick (friction below Coulomb's limit), 2 slide, 3 beyond
- *   range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not finite, or
- *   a vertex without response; ends the history). Without contact: zeros, -1, 0. A contact without
- *   friction slides;
+ * - `ContactPoint` (double 3, mm), `ContactCell` (vtkIdType; cell of the body, -1 without contact);
+ * - `ContactState` (uint8): 0 no contact, 1 stick (friction below Coulomb's limit), 2 slide, 3
+ *   beyond range (sticking or sliding), 4 lost at an open border, 5 invalid (a tip that is not
+ *   finite, or a vertex without response; this state ends the history). Without contact,
+ *   ContactCell is -1 and all other values are 0. A contact without friction slides;
  * - `MemoryForce` (double, N), if the body relaxes: NormalForce minus the slow response at this
- *   depth; negative while the tool moves out; 0 for single points and without Time;
- * - `Torque` (double 3, N mm), about the tip, and `Tilt` (double, degrees), of the axis from
- *   Normal, if the tips have a ToolAxis;
+ *   depth. It is negative while the tool moves out, and 0 for single points and without Time;
+ * - `Torque` (double 3, N mm), the torque about the tip, and `Tilt` (double, degrees), the angle
+ *   between the axis and Normal, if the tips have a ToolAxis;
  * - `CoupledStiffness` (double k, N/mm), with Coupled: the derivative of NormalForce, without
- *   memory, with respect to the depth of each of the up to k tips that press at once, including the
- *   tip itself, in the order of their polylines, or of the points; zeros for tips without force. On
- *   one process only;
+ *   memory, with respect to the depth of each of the k tips that press at the same time, including
+ *   the tip itself, in the order of their polylines or of the points. It is zero for tips without
+ *   force. It is available on one process only;
  * - `RelativeError` (double), if the response stores its error: the estimated relative error of
- *   Force, blended as the force is; 0 without contact, NaN beyond range. On one process only.
+ *   Force, blended like the force. It is 0 without contact and NaN beyond range. It is available on
+ *   one process only.
  *
  * The force blends the curves of the triangle's three vertices by area coordinates (Mahvash and
  * Hayward 2002, eqs. 3 and 4). vtkContactSettings selects the form of the blend, the surface and
- * the friction. A setting out of its range is an error, even if the chosen model does not use it.
- * vtkHapticSession and the C interface (palpate.h) have the same settings and give the same bits
- * for the same tips.
+ * the friction. A setting out of its range is an error, even if the selected model does not use the
+ * setting. vtkHapticSession and the C interface (palpate.h) have the same settings and give bitwise
+ * equal results for the same tips.
  *
  * One warning for each state of the body lists the defects of the mesh: triangles that wound inward
- * or against their neighbours and were turned; triangles that are ignored because they occur twice,
- * have no area or have a coordinate that is not finite; edges of more than two triangles, which
- * count as border. Open borders are allowed. Points of open borders that coincide are joined. A
- * surface that is not a body, such as a sheet with two sides, is an error.
+ * or against their neighbours and were reversed; triangles that are ignored because they occur
+ * twice, have no area or have a coordinate that is not finite; edges of more than two triangles,
+ * which count as border. Open borders are allowed. Points of open borders that coincide are joined.
+ * A surface that is not a body, such as a sheet with two sides, is an error.
  *
- * Times: TIME_STEPS of body and tips together, DATA_TIME_STEP of the tips.
+ * Times: TIME_STEPS contains the steps of body and tips. DATA_TIME_STEP is that of the tips.
  *
- * **Several processes** (Controller), each with a piece of the body, or none, and with tips, or
- * none: the contact is that with the whole body, also along a polyline across seams. Every tip is
- * returned on the process that gave it. ContactCell is then the cell of the piece (without its
- * ghost cells) on process `ContactRank` (int, one more array, -1 for none). Each process gathers
- * the part of the body around its own tips. The result is that of one process except for the last
- * bits, where normals of several triangles are summed in another order. The warnings about the
- * mesh, and the turning of triangles, refer to those parts. An error on one process is an error on
- * all. All processes must update the filter. With Coupled all tips must be on one process;
- * otherwise it is an error.
+ * **Several processes** (Controller): each process may have a piece of the body and tips. The
+ * contacts are those with the whole body, also along a polyline across seams. Every tip is returned
+ * on the process that has it as input. ContactCell is then the cell of the piece (without its ghost
+ * cells) on the process that the additional array `ContactRank` (int, -1 without contact) names.
+ * Each process gathers the part of the body around its own tips. The result equals that of one
+ * process except for the last bits, because normals of several triangles are summed in another
+ * order. The warnings about the mesh, and the reversal of triangles, refer to these parts of the
+ * body. An error on one process is an error on all. All processes must update the filter. With
+ * Coupled all tips must be on one process; otherwise it is an error.
  *
  * Input other than vtkPolyData (a volume, composite data) is an error that names vtkBodySurface.
  *
  * Cost: the kernel's copy of the body is built once per change of the body, O(n log n), with
- * progress. Then 0.5 to 1 µs per tip, if there are many tips. Independent tips are sorted so that
- * neighbours follow one another, and threaded by vtkSMPTools. The bits do not depend on the order
- * of the tips or on the number of threads. Each thread temporarily needs about 220 bytes for each
- * of up to 262144 tips.
+ * progress. Each of many tips then takes 0.5 to 1 µs. Independent tips are sorted so that
+ * neighbours follow one another, and are computed in parallel by vtkSMPTools. The bits do not
+ * depend on the order of the tips or on the number of threads. Each thread temporarily needs about
+ * 220 bytes for each of up to 262144 tips.
  *
  * @code{.py}
  * probe = palpate.vtkToolContactProbe()
@@ -125,7 +128,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Values of ForceForm, ContactSurface and FrictionModel: those of vtkContactSettings. */
+  /** The values of ForceForm, ContactSurface and FrictionModel are those of vtkContactSettings. */
   enum ForceFormType
   {
     Paper = vtkContactSettings::Paper,
@@ -147,8 +150,8 @@ public:
 
   ///@{
   /**
-   * The settings of the contact, and their properties: see vtkContactSettings. Other objects may
-   * share the settings. Null sets a separate object, which is also the default.
+   * The settings of the contact; see vtkContactSettings. Other objects may share the settings. Null
+   * sets a separate object, which is also the default.
    */
   virtual void SetSettings(vtkContactSettings* settings)
   {
@@ -193,8 +196,8 @@ public:
 
   ///@{
   /**
-   * Each tip is first moved inward by this distance along the normal at its closest point, mm. So
-   * points picked on the surface can press. Default 0.
+   * Distance by which each tip is first moved inward along the normal at its closest point, mm. It
+   * allows points that were picked on the surface to press. Default 0.
    */
   vtkSetMacro(Indentation, double);
   vtkGetMacro(Indentation, double);
@@ -216,18 +219,19 @@ public:
 
   ///@{
   /**
-   * The processes that each have a piece of the body. Default: the global controller at the time
-   * when the filter is made. With none, or with one process, the input is the whole body.
+   * The processes that each have a piece of the body. The default is the global controller at the
+   * time when the filter is created. Without a controller, or with one process, the input is the
+   * whole body.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
-  /** The tips, port 1. */
+  /** Sets the tips, input port 1. */
   void SetTipConnection(vtkAlgorithmOutput* tips) { this->SetInputConnection(1, tips); }
   void SetTipData(vtkDataObject* tips) { this->SetInputData(1, tips); }
 
-  /** Includes the modification time of the settings. */
+  /** Returns the modification time of the filter, including that of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -254,7 +258,7 @@ private:
   std::string ResponseName = "Response";
 
   // The kernel's copy of the body, or of the piece of this process, and the state of the body from
-  // which it was made.
+  // which the copy was made.
   std::shared_ptr<const palpate::ContactBody> Body;
   std::shared_ptr<const palpate::BodyPiece> Piece;
   vtkPolyData* BodySource = nullptr;

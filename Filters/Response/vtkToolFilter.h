@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkToolFilter
- * @brief base of the filters that press a tool: the tool, and the name of its response
+ * @brief base class of the filters that press a tool
  *
- * Abstract.
+ * This abstract class has the tool and the name of its response.
  *
  * @code{.py}
  * response = palpate.vtkToolContactResponse()          # is a vtkToolFilter
@@ -31,8 +31,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool. A change of the tool changes the modification time of this filter. Filters that make
-   * a response require a tool. The default of other filters is the tool that the response names. */
+  /**
+   * The tool. A change of the tool changes the modification time of this filter. Filters that
+   * create a response require a tool. Other filters use by default the tool that the response
+   * names.
+   */
   virtual void SetTool(vtkContactTool* tool);
   vtkContactTool* GetTool();
   ///@}

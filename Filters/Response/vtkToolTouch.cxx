@@ -33,7 +33,7 @@
 
 namespace
 {
-constexpr double ProbeShare = 0.9; // fraction of the progress for the probe
+constexpr double ProbeShare = 0.9; // fraction of the progress that the probe takes
 // Length of the arrow for the force at half of Range, as a fraction of the body's diagonal.
 constexpr double ArrowShare = 0.2;
 
@@ -179,7 +179,7 @@ bool vtkToolTouch::PrepareBody(vtkPolyData* body)
   }
   this->Body = nullptr;
   auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(body); // while the tip moves, the modification time of the copy does not change
+  copy->ShallowCopy(body); // the modification time of the copy does not change while the tip moves
   std::string fault;
   if (!this->Touched->take(copy, this->ResponseName, fault))
   {
@@ -290,7 +290,7 @@ std::vector<palpate::Touch> vtkToolTouch::Probe()
     }
     else
     {
-      stored.normal = Vector3::Zero(); // the displayed normal is not a contact normal
+      stored.normal = Vector3::Zero(); // the displayed normal is not the normal of a contact
     }
     touch.isAlone = touches.size() > 1 && !isCoupled;
     touch.scale = this->ForceScale > 0.0 ? this->ForceScale : this->AutomaticScale;

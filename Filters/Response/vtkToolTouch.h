@@ -1,48 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkToolTouch
- * @brief one touch of a body, ready to be shown: dent, tool, force arrow and numbers
+ * @brief computes one touch of a body for display: dent, tool, force arrow and numbers
  *
- * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the one that the
- * response names. The place of the touch:
- * - Snap on (default): the point of the surface nearest to TipPosition, pressed Indentation deep
- *   along the contact normal. It touches for any TipPosition.
- * - Snap off: the tip is at TipPosition, moved inward by Indentation along the normal at its
- *   nearest surface point. Outside the body there is no contact.
+ * Input: a body with response arrays (vtkToolContactResponse), mm. The tool is the tool that the
+ * response names. The property Snap determines the place of the touch:
+ * - Snap on (default): the point of the surface nearest to TipPosition is pressed by Indentation
+ *   along the contact normal. The tool touches for any TipPosition.
+ * - Snap off: the tip is moved from TipPosition inward by Indentation along the normal at the
+ *   nearest surface point. If it is then outside the body, there is no contact.
  *
  * Output:
  * - 0 the dented body: the input with its points moved by `ContactDisplacement`
  *   (vtkContactDeflection within Reach contact radii), and the point array `Dent (mm)`, the inward
- *   displacement along the contact normal, as active scalars. All arrays of the body pass through;
- *   those of the response remain those of the undeformed body. Active point normals follow the
+ *   displacement along the contact normal, as active scalars. All arrays of the body pass through.
+ *   The arrays of the response still describe the undeformed body. Active point normals follow the
  *   dent.
- * - 1 the tool, triangles with normals, tip in place, axis along the contact normal.
- * - 2 the force as an arrow from the tip, ForceScale mm long per N; empty without contact.
- * - 3 the numbers as text with units: a vtkTable with one string, column `Text`.
+ * - 1 the tool as triangles with normals. Its tip is at the contact, and its axis is along the
+ *   contact normal.
+ * - 2 the force as an arrow from the tip, with a length of ForceScale mm per N. It is empty without
+ *   contact.
+ * - 3 the numbers as text with units, in a vtkTable with one string in the column `Text`.
  *
- * The arrow has `Force` (N, 3) at its points. Its field arrays, one tuple each, are all arrays of
- * vtkToolContactProbe - `Force`, `NormalForce`, `FrictionForce`, `Deflection`, `Normal`,
- * `ContactPoint`, `ContactCell`, `ContactState` - and `TipPosition` (3, mm, after snap and
- * indentation), `Stiffness` (N/mm: dF/dδ of the blended curves), `Validity` (mm: the depth at which
- * the law's first assumption fails, the smallest of the triangle's corners; infinite if none fails
- * or the response has no validity) and `ForceScale` (mm/N).
+ * The arrow has the point array `Force` (N, 3 components). Its field arrays have one tuple each.
+ * They are the arrays of vtkToolContactProbe - `Force`, `NormalForce`, `FrictionForce`,
+ * `Deflection`, `Normal`, `ContactPoint`, `ContactCell`, `ContactState` - and also `TipPosition` (3
+ * components, mm, after snap and indentation), `Stiffness` (N/mm: dF/dδ of the blended curves),
+ * `Validity` (mm: the depth at which the first assumption of the law fails, the smallest value of
+ * the triangle's corners; infinite if no assumption fails or the response has no validity) and
+ * `ForceScale` (mm/N).
  *
  * With SecondTip another tool of the same kind presses at SecondTipPosition and is placed in the
- * same way. The outputs then have both dents, tools and arrows, and the numbers of both. If the
- * response has its coupling (vtkToolContactResponse::CouplingOn), the tools interact, and
- * Deflection is that of each tool's own dent, as in vtkToolContactProbe with Coupled. Otherwise
- * each has the force it has alone, and the text says so. The arrow's field arrays then have a tuple
- * for each tool.
+ * same way. The outputs then have the dents, tools, arrows and numbers of both tools. If the
+ * response has a coupling (vtkToolContactResponse::CouplingOn), the tools interact, and Deflection
+ * is that of each tool's own dent, as in vtkToolContactProbe with Coupled. Otherwise each tool has
+ * the force of a single tool, and the text states this. The field arrays of the arrow then have a
+ * tuple for each tool.
  *
- * Friction does not act: one touch has no history. For the same reason a body that relaxes has its
- * slow response, as after a long touch. A body without the response is an error that names the
- * missing array; an empty body gives empty output. With several processes (the global
- * controller's), one process must have the whole body; otherwise it is an error. All processes must
- * update the filter.
+ * Friction has no effect, because one touch has no history. For the same reason, a body that
+ * relaxes responds with its slow force, as after a long touch. If the body lacks the response, an
+ * error names the missing array. An empty body gives empty output. With several processes (the
+ * global controller), one process must have the whole body; otherwise this is an error. All
+ * processes must update the filter.
  *
- * Cost: once per state of the body, the kernel's copy (vtkToolContactProbe) and the neighbours of
- * its mesh, O(n log n). Then per move a copy of the points and a few microseconds per point of the
- * dent.
+ * Cost: for each state of the body, the filter creates the kernel's copy (vtkToolContactProbe) and
+ * the neighbours of its mesh, in O(n log n). Each move then takes a copy of the points and a few
+ * microseconds per point of the dent.
  *
  * @code{.py}
  * touch = palpate.vtkToolTouch()
@@ -95,8 +98,9 @@ public:
 
   ///@{
   /**
-   * Position of the tip in the body's frame, mm. Until it is set, Get returns 0, 0, 0, and the tip
-   * is at the place that FindStart finds from +z with y up, on each body.
+   * Position of the tip in the body's frame, mm. Until it is set, GetTipPosition returns 0, 0, 0,
+   * and on each body the tip is at the place that FindStart returns for a viewer along +z with y
+   * up.
    */
   virtual void SetTipPosition(double x, double y, double z);
   virtual void SetTipPosition(const double position[3])
@@ -107,14 +111,14 @@ public:
   ///@}
 
   /**
-   * Finds a good place to begin a touch, for a viewer in the direction `towards` (from the body to
-   * the viewer, not zero) with `up` upward in the picture. Writes a point of the surface, mm, to
-   * `start`. The place is visible and near the middle. It is flat over the contact at half of Range
-   * and its surroundings. It faces the viewer, and its normal leans upward, so that tool and force
-   * are seen from the side. If possible it is within the response's validity. If no point on that
-   * side has a response, the next of +z, +x, +y, -z, -x, -y is tried. The result depends on shape,
-   * response and direction only. Returns false, and leaves `start` unchanged, for a body without a
-   * valid response. Takes about 0.2 s.
+   * Finds a good place to begin a touch. `towards` is the direction from the body to the viewer and
+   * must not be zero. `up` is the upward direction in the picture. `start` receives a point of the
+   * surface, mm. The place is visible and near the middle. The surface is nearly flat within and
+   * around the contact at half of Range. The place faces the viewer, and its normal is tilted
+   * upward, so that tool and force are seen from the side. If possible, the depth is within the
+   * response's validity. If no visible point has a response, the directions +z, +x, +y, -z, -x, -y
+   * are tried in this order. The result depends only on shape, response and direction. Returns
+   * false, and leaves `start` unchanged, for a body without a valid response. Takes about 0.2 s.
    */
   static bool FindStart(vtkPolyData* body, const std::string& responseName, const double towards[3],
     const double up[3], double start[3]);
@@ -140,8 +144,8 @@ public:
 
   ///@{
   /**
-   * Distance by which the tip is moved inward, mm, finite and not negative. Default 0: with Snap,
-   * half of the response's Range there; without Snap, no movement.
+   * Distance by which the tip is moved inward, mm, finite and not negative. The default 0 means
+   * half of the response's Range at the nearest point with Snap, and no movement without Snap.
    */
   vtkSetMacro(Indentation, double);
   vtkGetMacro(Indentation, double);
@@ -149,7 +153,7 @@ public:
 
   ///@{
   /**
-   * The settings of the contact. Other objects may share them. Friction does not act, since a
+   * The settings of the contact. Other objects may share them. Friction has no effect, because a
    * single tip has no history. Null sets a separate object, which is also the default.
    */
   virtual void SetSettings(vtkContactSettings* settings);
@@ -165,7 +169,8 @@ public:
   ///@{
   /**
    * Distance from the contact, in contact radii, at which the dent has faded out, positive. Fading
-   * begins at 3/4 of it. Default 20, where the dent is a thirtieth of the deflection.
+   * begins at 3/4 of this distance. Default 20. At 20 contact radii the dent is a thirtieth of the
+   * deflection.
    */
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
@@ -173,10 +178,10 @@ public:
 
   ///@{
   /**
-   * Length of the arrow per force, mm/N, finite and not negative. Default 0: automatic. The force
-   * at half of Range, averaged over the body, is then about a fifth of the body's diagonal long;
-   * the scale is rounded to 1, 2 or 5. So on one body a longer arrow means a larger force at any
-   * place.
+   * Length of the arrow per force, mm/N, finite and not negative. With the default 0, the scale is
+   * chosen such that the arrow for the force at half of Range, averaged over the body, has a length
+   * of about a fifth of the body's diagonal. The chosen scale is rounded to 1, 2 or 5 times a power
+   * of ten. It is the same at all places of one body, so that a longer arrow means a larger force.
    */
   vtkSetMacro(ForceScale, double);
   vtkGetMacro(ForceScale, double);
@@ -184,8 +189,8 @@ public:
 
   ///@{
   /**
-   * Height of the drawn tool, mm, finite and not negative. Default 0: a quarter of the body's
-   * diagonal.
+   * Height of the drawn tool, mm, finite and not negative. The default 0 selects a quarter of the
+   * body's diagonal.
    */
   vtkSetMacro(ToolLength, double);
   vtkGetMacro(ToolLength, double);
@@ -197,7 +202,7 @@ public:
   vtkGetMacro(ResponseName, std::string);
   ///@}
 
-  /** Includes the modification time of the settings. */
+  /** Returns the modification time of the filter, including that of the settings. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -214,9 +219,9 @@ private:
   bool CheckSettings();
   /// Updates body, tool and force scale if they have changed.
   bool PrepareBody(vtkPolyData* body);
-  /// Computes the touch at a position, without the other tool.
+  /// Computes the touch at a position without the effect of the other tool.
   palpate::Touch PressAlone(const double position[3]);
-  /// Moves the tips to their places and probes the body there.
+  /// Moves the tips to their final positions and probes the body at these positions.
   std::vector<palpate::Touch> Probe();
   bool MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
   bool MakeTools(const std::vector<palpate::Touch>& touches, vtkPolyData* output);
@@ -224,7 +229,7 @@ private:
   /// Reports the fault as an error, unless it is "".
   bool Fail(const std::string& fault);
 
-  vtkSmartPointer<vtkContactSettings> Settings; ///< never null
+  vtkSmartPointer<vtkContactSettings> Settings; ///< settings of the contact; never null
   double TipPosition[3] = { 0.0, 0.0, 0.0 };
   bool TipIsSet = false;
   bool SecondTip = false;
@@ -246,7 +251,7 @@ private:
   vtkSmartPointer<vtkPolyData> Body;
   vtkSmartPointer<vtkContactTool> Tool;
   double AutomaticScale = 0.0;
-  double Start[3] = { 0.0, 0.0, 0.0 }; ///< used if TipPosition was not set
+  double Start[3] = { 0.0, 0.0, 0.0 }; ///< start of the touch, used if TipPosition was not set
   bool StartIsFound = false;
   vtkPolyData* Source = nullptr;
   vtkMTimeType SourceTime = 0;

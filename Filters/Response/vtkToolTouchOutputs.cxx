@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The content of the outputs of vtkToolTouch: dents, tools and arrows.
+// Creation of the outputs of vtkToolTouch: dents, tools and arrows.
 #include "vtkToolTouch.h"
 
 #include "Response/Touch/ContactArrow.h"
@@ -29,7 +29,7 @@ constexpr double ArrowThickness = 0.012;
 // Radius at which a tool that widens without end is cut, as a fraction of its drawn length.
 constexpr double WidestTool = 0.25;
 
-/// Adds an array with one number, or vector, per touch.
+/// Adds an array with one number or one vector per touch.
 void addField(vtkPolyData* to, const char* name, const std::vector<palpate::Touch>& touches,
   int components, const std::function<const double*(const palpate::Touch&)>& valuesOf)
 {
@@ -68,7 +68,8 @@ bool vtkToolTouch::MakeDent(const std::vector<palpate::Touch>& touches, vtkPolyD
   {
     const palpate::Touch& touch = touches[i];
     const double radius =
-      touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0; // mm
+      // Contact radius, mm.
+      touch.touches() ? this->Tool->GetContactRadius(touch.contact.deflection) : 0.0;
     palpate::ChosenTip tip;
     palpate::chooseTip(palpate::Ranks(), this->Probed, static_cast<vtkIdType>(i), tip);
     if (touch.sunk != 0.0)

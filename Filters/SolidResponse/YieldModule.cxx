@@ -17,7 +17,8 @@ std::string find(vtkPolyData* body, const YieldRequest& request,
   {
     return fault;
   }
-  // The steps report their progress to this filter, which passes it to `goOn`.
+  // The steps of the work report their progress to this filter, which passes the progress to
+  // `goOn`.
   vtkNew<vtkPolyDataAlgorithm> caller;
   vtkNew<vtkCallbackCommand> forward;
   forward->SetClientData(const_cast<std::function<bool(double)>*>(&goOn));

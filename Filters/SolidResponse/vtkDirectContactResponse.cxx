@@ -35,13 +35,13 @@
 
 namespace
 {
-// Fractions of the work for the progress.
+// Fractions of the progress at the end of two steps.
 constexpr double RestShare = 0.05;
 constexpr double BothRestsShare = 0.06;
 /// A curve that reaches this fraction of the depth counts as complete.
 constexpr double CompleteFraction = 0.999;
 
-/// Replaces a point array by a copy that belongs to this body alone.
+/// Replaces a point array by a copy that only this body uses.
 template <class Array>
 Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArray which)
 {
@@ -54,7 +54,7 @@ Array* ownCopy(vtkPolyData* body, const std::string& name, palpate::ResponseArra
 }
 } // namespace
 
-/// The bodies and the surface on which the tool is pressed.
+/// The two bodies, and the surface on which the tool is pressed.
 struct vtkDirectContactResponse::Bodies
 {
   palpate::PreparedSurface surface;
@@ -206,12 +206,13 @@ std::string vtkDirectContactResponse::CheckResponse(
   return fault;
 }
 
-/// Finds the points where the error of the response is too large or the curve ends too early.
+/// Finds the points at which the error of the response is too large or the curve ends too early.
 std::vector<vtkIdType> vtkDirectContactResponse::FindPoints(vtkPolyData* surface) const
 {
   palpate::ResponseArrays arrays;
   std::string fault;
-  palpate::viewResponse(surface, this->ResponseName, arrays, fault); // CheckResponse found no fault
+  // This cannot fail after CheckResponse.
+  palpate::viewResponse(surface, this->ResponseName, arrays, fault);
   const palpate::StoredError errors(surface, this->ResponseName);
   vtkDataArray* pressed = surface->GetPointData()->GetArray("Pressed");
   std::vector<vtkIdType> found;
@@ -280,7 +281,8 @@ std::string vtkDirectContactResponse::Press(
   using palpate::ResponseArray;
   palpate::ResponseArrays arrays;
   std::string fault;
-  palpate::viewResponse(output, this->ResponseName, arrays, fault); // CheckResponse found no fault
+  // This cannot fail after CheckResponse.
+  palpate::viewResponse(output, this->ResponseName, arrays, fault);
   const std::string& name = this->ResponseName;
   const palpate::ResponseSpans spans{ arrays.samples,
     ownCopy<vtkFloatArray>(output, name, ResponseArray::Force)->GetPointer(0),
@@ -317,7 +319,7 @@ std::string vtkDirectContactResponse::Press(
     {
       outcome =
         palpate::takeDirectCurve(at, contacts.finer, contacts.coarser, terms, sampling, spans);
-      wrong = "no contact converges"; // reported if the outcome is Failed
+      wrong = "no contact converges"; // this is reported if the outcome is Failed
     }
     became->SetValue(point, static_cast<unsigned char>(outcome));
   };

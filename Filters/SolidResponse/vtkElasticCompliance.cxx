@@ -53,8 +53,8 @@ void attachCompliances(
   output->GetPointData()->AddArray(status);
 }
 
-/// Attaches the errors. The error of an interpolated compliance is at least as large as the
-/// compliance.
+/// Attaches the errors. The error of an interpolated compliance is set to at least the absolute
+/// value of the compliance.
 void attachErrors(const palpate::PatchCompliances& compliances, const std::vector<double>& errors,
   vtkPolyData* output)
 {

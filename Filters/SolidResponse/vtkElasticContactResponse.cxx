@@ -34,9 +34,10 @@
 
 namespace
 {
-// Fractions of the work for the progress.
+// Fractions of the progress at the end of the steps.
 constexpr double SolvedShare = 0.9;
-constexpr double BodyShare = 0.75; // SolvedShare if a coarser body is solved, too
+// Value that replaces SolvedShare if a coarser body is also solved.
+constexpr double BodyShare = 0.75;
 constexpr double RespondedShare = 0.95;
 } // namespace
 
@@ -112,12 +113,13 @@ int vtkElasticContactResponse::RequestData(
   return this->Report(fault);
 }
 
-/// Fills the request of the response, and checks it and the other properties.
+/// Fills the request of the response. Checks the request and the other properties. Returns "" or an
+/// error message.
 std::string vtkElasticContactResponse::CheckProperties(palpate::LawRequest& request)
 {
   request.terms = palpate::LawTerms::plain();
   const std::string relaxing = this->FillRequest(request);
-  request.terms.automatic = false; // KeepSimplerLaw chooses point by point
+  request.terms.automatic = false; // off, because KeepSimplerLaw chooses the law at each point
   request.terms.changeTolerance = palpate::LawTerms().changeTolerance;
   return palpate::firstFault([&] { return palpate::checkShapedRequest(request); },
     [this] { return palpate::checkLength("Layer Thickness", this->LayerThickness); },
@@ -148,7 +150,7 @@ std::string vtkElasticContactResponse::CheckSurface(const palpate::SoundBody& fi
   return finer.fault().empty() ? "" : "Wrong input: Surface: " + finer.fault();
 }
 
-/// Fills the settings of a solution, with the arrays of this grid.
+/// Fills the settings of a solution, including the material arrays of this grid.
 std::string vtkElasticContactResponse::FindMaterials(
   vtkUnstructuredGrid* grid, palpate::SolveRequest& request)
 {
@@ -164,7 +166,7 @@ std::string vtkElasticContactResponse::FindMaterials(
     [&] { return palpate::findCellArray(this, grid, 1, find, request.factor.poisson); });
 }
 
-/// Solves the parts of Kept and Coarser that the tool needs and that are missing.
+/// Solves those parts of Kept and Coarser that the tool needs and that are missing.
 std::string vtkElasticContactResponse::Solve(
   vtkUnstructuredGrid* grid, vtkUnstructuredGrid* coarser, bool& ended)
 {

@@ -1,63 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkElasticContactResponse
- * @brief response of a tool on a body's true shape, with inclusions, by finite elements
+ * @brief computes the response of a tool on a body's true shape, with inclusions, by finite
+ *   elements
  *
  * Input: a vtkUnstructuredGrid as in vtkElasticCompliance: VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and
  * VTK_QUADRATIC_TETRA cells in mm with the point array `Fixed` (bits 1, 2, 4 hold a point along x,
- * y, z). E and ν per cell come from arrays to process 0 and 1 (cell data, one component), else from
- * the constants. If there is a point array `Pressed`, only points where it is not 0 are solved for
- * and have responses. A fault of the input is an error that names cell and value. Empty input gives
- * empty output.
+ * y, z). E and ν per cell are taken from the arrays to process 0 and 1 (cell data, one component),
+ * else from the constants. If there is a point array `Pressed`, the body is solved only for the
+ * points where the array is not 0, and only these points have responses. Invalid input raises an
+ * error that names cell and value. Empty input gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays, `OriginalPointIds`,
- * and the response arrays of vtkToolContactResponse, for Tool pressed along the inward normal at
- * each point, unilateral and without friction, on a linear elastic body. `Range` is the smaller of
- * MaximumDeflection and the depth at which the contact reaches an edge (the surface turns by more
- * than 40°), a held point or another material at the surface. `Status` 5 Edge: no contact exists
- * before such a limit, or the surface turns by 30° at the point itself. The curve is then that of
- * the neighbouring points, reduced by the softening of the edge, with an error of about 15 %; its
- * validity is 0. Points of status 4 OutOfReach (held or not `Pressed`) and 1 Degenerate have no
- * curve. `Validity` and `Limit` follow from the estimated error. Values of `Limit`: 1 small strain;
- * 5 the effect of a nearby edge, except for its tilt; 7 the elements (the error expected from the
- * length of the cells, and from a second mesh) and the order of the kernel.
+ * and the response arrays of vtkToolContactResponse. They describe Tool pressed along the inward
+ * normal at each point on a linear elastic body, in a unilateral contact without friction. `Range`
+ * is the smaller of MaximumDeflection and the depth at which the contact reaches an edge (the
+ * normal of the surface varies by more than 40°), a held point or another material at the surface.
+ * The `Status` is 5 Edge if these limits allow no contact at all, or if the normal of the surface
+ * varies by 30° at the point itself. The curve is then that of the neighbouring points, reduced by
+ * the softening of the edge, with an error of about 15 %, and its validity is 0. Points of status 4
+ * OutOfReach (held or not `Pressed`) and 1 Degenerate have no curve. `Validity` and `Limit` follow
+ * from the estimated error. Values of `Limit`: 1 small strain; 5 the effect of a nearby edge,
+ * except for its tilt; 7 the elements (the error expected from the length of the cells, and from a
+ * second mesh) and the order of the kernel.
  *
- * The settings of the material, of strain, error, edges, tilt and relaxation are those of
- * vtkTissueFilter and vtkResponseFilter. With small strain the neglected effect of finite strain is
- * an error with the value 1 of `Limit`. A law of finite strain multiplies the local part of a
- * contact, as on a half-space under the same force; the remaining deflection of the body grows with
- * the force. With an ErrorTolerance of 0 no error is stored, and Validity is equal to Range.
- * Relaxation is that of the whole body.
+ * The settings of material, strain, error, edges, tilt and relaxation are those of vtkTissueFilter
+ * and vtkResponseFilter. With small strain, the neglected effect of finite strain is part of the
+ * error, with the value 1 of `Limit`. A law of finite strain multiplies the local part of a
+ * contact, as on a half-space under the same force. The remaining deflection of the body grows with
+ * the force. With an ErrorTolerance of 0, no error is stored, and Validity is equal to Range.
+ * Relaxation applies to the whole body.
  *
- * **AutomaticTerms**: the curve of a simpler law is kept, point by point, if true shape changes the
- * force by no more than TermTolerance. The law is a half-space of the material at the point with
- * the curvature of the surface, or a layer of LayerThickness (or of array to process 2, point data,
- * one component) on a rigid base. The point array `<name>ShapeChange` (float) is then the largest
- * relative change of the force by true shape (NaN: not known). TermReason gives the number of
- * points with each curve.
+ * **AutomaticTerms**: at each point, the curve of a simpler law is kept if the true shape changes
+ * the force by no more than TermTolerance. The simpler law is that of a half-space with the
+ * material at the point and the curvature of the surface, or that of a layer on a rigid base. The
+ * thickness of the layer is LayerThickness or the array to process 2 (point data, one component).
+ * The point array `<name>ShapeChange` (float) contains the largest relative change of the force by
+ * the true shape, or NaN if it is not known. TermReason gives the number of points with each curve.
  *
- * **Method.** G_nn(x, X) = 1/(πE*|x-X|) + H(x, X): Boussinesq's field is subtracted, and the
- * elements solve for the smooth remainder (palpate::RegularGreen). H, averaged over angles on a
- * disc under the contact, is a kernel of rank up to four. With this kernel, dimensionality
- * reduction gives the contact in closed form for any radius and any tool of revolution. The sag of
- * the surface is a gap, and the tilt next to an edge is a second-order term
- * (palpate::ShapedContact). Between the solved places kernels are converted to the normal of each
- * place (palpate::DirectedCompliance).
+ * **Method.** The Green function is G_nn(x, X) = 1/(πE*|x-X|) + H(x, X). Boussinesq's field, the
+ * first term, is subtracted, and the finite elements solve for the smooth remainder H
+ * (palpate::RegularGreen). H, averaged over angles on a disc under the contact, is a kernel of rank
+ * up to four. With this kernel, dimensionality reduction gives the contact in closed form for any
+ * radius and any tool of revolution. The sag of the surface is added to the gap under the tool, and
+ * the tilt of the surface next to an edge is a second-order term (palpate::ShapedContact). Kernels
+ * between the solved points are converted to the normal of the point where they are used
+ * (palpate::DirectedCompliance).
  *
- * **Accuracy.** The force is within 1 % of the exact law on bonded layers up to contact radii of
- * 1.5 thicknesses with two hexahedra through the thickness, 0.35 % with four; within 1 % next to an
- * edge up to four fifths of its distance; within 5 % on nodules in voxels of half the nodule's
- * depth. Elements may be larger than the contact, but should be no larger than half the distance to
- * the source of H: a base, an edge, the top of a nodule. Linear tetrahedra lock: do not use them
- * beyond ν = 0.4.
+ * **Accuracy.** On bonded layers, for contact radii up to 1.5 thicknesses, the force is within 1 %
+ * of the exact law with two hexahedra through the thickness, and within 0.35 % with four. Next to
+ * an edge, it is within 1 % for contact radii up to four fifths of the distance from the edge. On
+ * nodules, it is within 5 % with voxels of half the nodule's depth. Elements may be larger than the
+ * contact, but should be no larger than half the distance to the cause of H, such as a base, an
+ * edge or the top of a nodule. Linear tetrahedra lock. Do not use them beyond ν = 0.4.
  *
- * **Cost.** One factorisation (8 s for 100 thousand unknowns) and one solution per point of the
- * surface, or per SourceSpacing, 10 to 50 ms of one thread each, on all threads. The body and its H
- * are kept until the input, the material or the solver changes, or a tool has a wider contact;
- * otherwise the next tool takes a few milliseconds per point. Memory: the factor, which is refused
- * beforehand if it exceeds MemoryLimit, and H, a few hundred bytes per pair of points within a
- * contact. Abort is checked between steps and solutions. The result is bit-identical for any number
- * of threads.
+ * **Cost.** One factorisation takes 8 s for 100 thousand unknowns. There is one solution per point
+ * of the surface, or per SourceSpacing. Each takes 10 to 50 ms on one thread, and all threads are
+ * used. The body and its H are kept until the input, the material or the solver changes, or until a
+ * tool has a wider contact. As long as they are kept, the next tool takes a few milliseconds per
+ * point. The factor takes most of the memory; if it would exceed MemoryLimit, the body is refused
+ * before factorisation. H takes a few hundred bytes per pair of points within a contact. Abort is
+ * checked between steps and solutions. The result is bit-identical for any number of threads.
  *
  * @code{.py}
  * felt = palpate.vtkElasticContactResponse()
@@ -103,50 +106,58 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The surface that is touched, if it is finer than the solid's own surface, for example a scan:
-   * a vtkPolyData of triangles, mm, close to the surface of the solid. The output is then this
-   * surface with its arrays. H at each of its points comes from the six nearest solved points that
-   * face the same way (a plane through their values). The gap under the tool follows the shape of
-   * this surface, which may be uneven (palpate::SurfaceGap, palpate::UnevenContact) and is
-   * interpolated smoothly between its points. Detail between the points is an error of the surface,
-   * not of the contact: the point array `<name>SurfaceError` (float) is the relative change of the
-   * force at the end of the range that this detail may cause, in 95 of 100 cases. A warning is
-   * given if this change exceeds ErrorTolerance at a tenth of the points. Optional; must not be
-   * used with AutomaticTerms. */
+  /**
+   * The touched surface, if it is finer than the surface of the solid, for example a scan. It is a
+   * vtkPolyData of triangles, mm, close to the surface of the solid. The output is then this
+   * surface with its arrays. H at each of its points is interpolated from the six nearest solved
+   * points with a similar normal (a plane fitted to their values). The gap under the tool follows
+   * the shape of this surface, which may be uneven (palpate::SurfaceGap, palpate::UnevenContact)
+   * and is interpolated smoothly between its points. Unresolved detail between the points causes an
+   * error of the surface, not of the contact. The point array `<name>SurfaceError` (float) is the
+   * relative change of the force at the end of the range due to this detail, which is not exceeded
+   * in 95 of 100 cases. A warning is given if this change exceeds ErrorTolerance at a tenth of the
+   * points. The surface is optional and must not be used with AutomaticTerms.
+   */
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
 
   ///@{
-  /** The same body in coarser cells, 1.5 to 2 times as long at the surface, held in the same places
-   * and with the same arrays: a vtkUnstructuredGrid as the input. The difference of the two meshes
-   * is then a second estimate of the error due to the length of the cells
-   * (palpate::MeshDifference), in addition to the error expected from that length. If the cells
-   * represent the shape of the body well, the stated error becomes several times smaller. The
-   * forces do not change. These are errors: the grid has no cells, its extent differs from that of
-   * the body, or its cells are not longer. The coarser body needs its own factor and solutions,
-   * which cost a sixth of those of the body if its cells are twice as long. Optional. */
+  /** The same body with coarser cells, as a vtkUnstructuredGrid like the input. Its cells are 1.5
+   * to 2 times as long at the surface. It is held in the same places and has the same arrays. The
+   * difference of the two meshes gives a second estimate of the error due to the length of the
+   * cells (palpate::MeshDifference), in addition to the error that is expected from this length. If
+   * the cells represent the shape of the body well, the stated error becomes several times smaller.
+   * The forces do not change. These are errors: the grid has no cells, its extent differs from that
+   * of the body, or its cells are not longer. The coarser body needs its own factor and solutions.
+   * They cost a sixth of those of the body if the cells of the coarser body are twice as long. The
+   * coarser body is optional. */
   void SetCoarserConnection(vtkAlgorithmOutput* output);
   void SetCoarserData(vtkUnstructuredGrid* coarser);
   ///@}
 
   ///@{
-  /** Whether the output holds the motion of the body in addition to the tool's dent, for
-   * vtkContactDeflection and the display, 120 bytes per point. The arrays are the motion of the
-   * whole body (`GlobalMode0`... `GlobalMode5`, `GlobalModeSign`, as in vtkElasticCompliance), and
-   * around each point the regular part H due to an edge, a base or a nodule near the point
-   * (`NearField`, float 12, of palpate::NearField: the slope g in 1/N and R₀ in mm/N; the bend Q in
-   * 1/(N mm), xx yy zz, and ρ in mm; xy yz zx, and E* in MPa). This costs 48 more solutions, once
-   * for all tools. Default on. */
+  /**
+   * Whether the output contains the motion of the body in addition to the tool's dent, for
+   * vtkContactDeflection and the display. It takes 120 bytes per point. The motion of the whole
+   * body is stored in the arrays `GlobalMode0`... `GlobalMode5` and `GlobalModeSign`, as in
+   * vtkElasticCompliance. The array `NearField` (float 12) describes the regular part H around each
+   * point, due to an edge, a base or a nodule near the point. It contains the numbers of
+   * palpate::NearField: the slope g in 1/N and R₀ in mm/N; the components xx, yy, zz of the bend Q
+   * in 1/(N mm), and ρ in mm; the components xy, yz, zx of Q, and E* in MPa. The motion takes 48
+   * more solutions, once for all tools. Default on.
+   */
   vtkSetMacro(StoreMotion, bool);
   vtkGetMacro(StoreMotion, bool);
   vtkBooleanMacro(StoreMotion, bool);
   ///@}
 
   ///@{
-  /** The largest contact radius that is solved for, mm. If it is set to the radius of the widest
-   * contact of several tools, these tools share the solutions. 0 (default): 1.42 times that of Tool
-   * at MaximumDeflection on a half-space. */
+  /**
+   * The largest contact radius for which the body is solved, mm. If it is set to the radius of the
+   * widest contact of several tools, these tools share the solutions. The default 0 selects 1.42
+   * times the contact radius of Tool at MaximumDeflection on a half-space.
+   */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
@@ -154,27 +165,32 @@ public:
   ///@{
   /** Distance between the surface points for which the body is solved, mm; it is smaller near
    * edges. At other points H is interpolated from the solved points around them, so that all points
-   * have responses. Half the distance to the source of H (a base, a nodule) is enough. 0 (default):
-   * that of the input's field array `SourceSpacing`, which vtkSegmentedBody adds, else all points.
+   * have responses. Half the distance to the cause of H (a base, a nodule) is sufficient. The
+   * default 0 selects the value of the input's field array `SourceSpacing`, which vtkSegmentedBody
+   * adds. If the input has no such array, the body is solved for all points.
    */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}
 
   ///@{
-  /** As in vtkElasticCompliance: MiB, 0 (default): nine tenths of the available memory. */
+  /**
+   * Same as in vtkElasticCompliance, MiB. The default 0 allows nine tenths of the available memory.
+   */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** As in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
+  /** Same as in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
-  /** Estimated memory of the factorisation and the solutions of the last run, MiB; also set if the
-   * run was refused; 0 if nothing had to be computed. */
+  /**
+   * Estimated memory of the factorisation and the solutions of the last run, MiB. It is also set if
+   * the run was refused, and 0 if nothing had to be computed.
+   */
   vtkGetMacro(MemoryEstimate, double);
   /**
    * Number of surface points for which the last run solved the body; 0 if nothing had to be solved.
@@ -202,7 +218,7 @@ private:
     vtkPolyData* finer, vtkPolyData* output);
 
   std::unique_ptr<palpate::SolvedBody> Kept;
-  std::unique_ptr<palpate::CoarserBody> Coarser; ///< null: no coarser body
+  std::unique_ptr<palpate::CoarserBody> Coarser; ///< null if there is no coarser body
   bool StoreMotion = true;
   double LargestContactRadius = 0.0;
   double SourceSpacing = 0.0;

@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr double WithShare = 0.45; // progress when the body with nodules is solved
+constexpr double WithShare = 0.45; // progress when the body with nodules has been solved
 constexpr double BothShare = 0.9;
 
 /// The arrays of the changes of all tools.
@@ -303,7 +303,7 @@ std::string vtkNoduleDetectability::Compare(vtkUnstructuredGrid* grid, vtkPolyDa
       from += step;
       if (!fault.empty() || !response.complete)
       {
-        return fault; // a fault, or "" after an abort
+        return fault; // an error message, or "" after an abort
       }
       lost = std::max(lost, static_cast<vtkIdType>(response.without));
       if (isWith || this->StoreWithout)

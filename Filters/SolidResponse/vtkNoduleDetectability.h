@@ -1,45 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNoduleDetectability
- * @brief change of the force on tools due to nodules inside a body, at each point of its surface
+ * @brief computes the change of the force on tools due to nodules inside a body, at each point of
+ *   its surface
  *
  * Input: a vtkUnstructuredGrid as in vtkElasticContactResponse, with the cell arrays of
  * vtkNoduleMaterial: `YoungsModulus` and `PoissonRatio`, and `YoungsModulusWithout` and
- * `PoissonRatioWithout` of the body without nodules. Arrays with other names are given as arrays to
- * process 0 to 3, in this order. A fault of the input is an error that names it. Empty input gives
- * empty output.
+ * `PoissonRatioWithout` for the body without nodules. Arrays with other names can be set as arrays
+ * to process 0 to 3, in this order. Invalid input raises an error that names the fault. Empty input
+ * gives empty output.
  *
  * Output: the body's outer surface as triangles, with the input's point arrays,
  * `OriginalPointIds`, and
- * - the response arrays of Tool on the body with nodules, as in vtkElasticContactResponse, and
- *   those of the tools of AddMoreTool under ResponseName followed by 2, 3 …; with StoreWithout also
- *   those on the body without nodules, with names that end in `Without`: "ResponseWithout",
- *   "Response2Without";
- * - point arrays with one component per tool, named by its specification: `ForceChange`, the
- *   largest relative change of the force by the nodules at equal depth, negative if the force
- *   decreases; `StiffnessChange`, the relative change of dF/dδ at that depth; `ChangeDepth`, that
- *   depth, mm; `Felt`, 1 if |ForceChange| is at least Threshold, else 0;
+ * - the response arrays of Tool on the body with nodules, as in vtkElasticContactResponse. The
+ *   prefix for the tools of AddMoreTool is ResponseName followed by 2, 3 … With StoreWithout, the
+ *   output also has the responses on the body without nodules, with prefixes such as
+ *   "ResponseWithout" and "Response2Without";
+ * - point arrays with one component per tool. The name of a component is the specification of the
+ *   tool. `ForceChange` is the largest relative change of the force by the nodules at equal depth,
+ *   negative if the force decreases. `ChangeDepth` is the depth of this change, mm.
+ *   `StiffnessChange` is the relative change of dF/dδ at this depth. `Felt` is 1 if |ForceChange|
+ *   is at least Threshold, else 0;
  * - `StrongestTool`: the number of the tool with the largest |ForceChange|, 0 for Tool; -1 if no
- *   change is known. This tool also detects the deepest nodules.
+ *   change is known. The tool with the largest change also detects the deepest nodules.
  *
  * The force is compared from the first sample to PressDepth, or to the end of the shorter response
- * (Range; with WithinValidity also Validity). If one body has no response at a point, the changes
- * are NaN and Felt is 0.
+ * (Range; with WithinValidity also Validity). If one of the two bodies has no response at a point,
+ * the changes are NaN and Felt is 0.
  *
- * **Threshold.** The smallest change of a force that a hand can perceive is about 7 % of it (Pang,
- * Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback); it is between 0.07
- * and 0.1 for most people. The default of 0.1 is conservative. Forces below half a newton need a
- * larger change.
+ * **Threshold.** The smallest change of a force that a hand can perceive is about 7 % of the force
+ * (Pang, Tan and Durlach 1991, from 2.5 to 10 N, one-interval trials with feedback). For most
+ * people, the threshold is between 0.07 and 0.1. The default of 0.1 is conservative. Forces below
+ * half a newton need a larger change.
  *
  * **Accuracy.** The accuracy is that of vtkElasticContactResponse for either body. Errors that both
- * bodies share cancel, such as those of small strain and of elements far away. For the error due to
+ * bodies share cancel, such as those of small strain and of distant elements. For the error due to
  * the mixed cells of a nodule see vtkNoduleMaterial.
  *
- * **Cost.** Two factorisations and twice the solutions of vtkElasticContactResponse, which are kept
- * for all tools until the input changes or a tool has a wider contact. A tool then takes a few
- * milliseconds per point. Without nodules a coarser spacing is often enough: SourceSpacingWithout
- * saves most of the second body's solutions. Abort is checked between steps and solutions. The
- * result is bit-identical for any number of threads.
+ * **Cost.** The filter needs two factorisations and twice the solutions of
+ * vtkElasticContactResponse. They are kept for all tools until the input changes or a tool has a
+ * wider contact. A further tool takes a few milliseconds per point. Without nodules, a coarser
+ * spacing is often sufficient. SourceSpacingWithout then saves most of the solutions of the second
+ * body. Abort is checked between steps and solutions. The result is bit-identical for any number of
+ * threads.
  *
  * @code{.py}
  * felt = palpate.vtkNoduleDetectability()
@@ -82,7 +85,7 @@ public:
 
   ///@{
   /**
-   * The first tool; required. A change of the tool also changes the modification time of this
+   * The first tool. It is required. A change of the tool also changes the modification time of this
    * filter.
    */
   virtual void SetTool(vtkContactTool* tool);
@@ -91,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Further tools, by their specification, such as "flat:1.6" (vtkContactTool::SetSpecification). A
-   * wrong specification is an error when the filter runs.
+   * Adds a further tool by its specification, such as "flat:1.6"
+   * (vtkContactTool::SetSpecification). An invalid specification is an error when the filter runs.
    */
   void AddMoreTool(const std::string& specification);
   void RemoveAllMoreTools();
@@ -106,15 +109,15 @@ public:
   ///@}
 
   ///@{
-  /** Largest depth to which a hand presses, mm. Default 0: MaximumDeflection. */
+  /** Largest depth to which a hand presses, mm. The default 0 selects MaximumDeflection. */
   vtkSetMacro(PressDepth, double);
   vtkGetMacro(PressDepth, double);
   ///@}
 
   ///@{
   /**
-   * Uses only depths at which the error of both responses is within ErrorTolerance. Default
-   * off.
+   * Whether only depths are used at which the error of both responses is within ErrorTolerance.
+   * Default off.
    */
   vtkSetMacro(WithinValidity, bool);
   vtkGetMacro(WithinValidity, bool);
@@ -122,14 +125,16 @@ public:
   ///@}
 
   ///@{
-  /** Whether the responses of the body without nodules are stored, too. Default off. */
+  /** Whether the output also contains the responses on the body without nodules. Default off. */
   vtkSetMacro(StoreWithout, bool);
   vtkGetMacro(StoreWithout, bool);
   vtkBooleanMacro(StoreWithout, bool);
   ///@}
 
   ///@{
-  /** As in vtkElasticContactResponse. Defaults 2 mm, 8, "Response", 0.05. */
+  /**
+   * Same as in vtkElasticContactResponse. The defaults are 2 mm, 8 samples, "Response" and 0.05.
+   */
   vtkSetMacro(MaximumDeflection, double);
   vtkGetMacro(MaximumDeflection, double);
   vtkSetMacro(NumberOfSamples, int);
@@ -142,42 +147,48 @@ public:
 
   ///@{
   /**
-   * As in vtkElasticContactResponse, mm: the radius of the widest contact of all later tools.
-   * Default 0.
+   * Same as in vtkElasticContactResponse, mm. Set it to the radius of the widest contact of all
+   * later tools. Default 0.
    */
   vtkSetMacro(LargestContactRadius, double);
   vtkGetMacro(LargestContactRadius, double);
   ///@}
 
   ///@{
-  /** As in vtkElasticContactResponse, mm: half the distance to the top of a nodule is enough.
-   * Default 0: all points. */
+  /**
+   * Same as in vtkElasticContactResponse, mm. Half the distance to the top of a nodule is
+   * sufficient. The default 0 selects all points.
+   */
   vtkSetMacro(SourceSpacing, double);
   vtkGetMacro(SourceSpacing, double);
   ///@}
 
   ///@{
-  /** SourceSpacing for the body without nodules, mm: half the distance to a base or a layer is
-   * enough. Default 0: as SourceSpacing. */
+  /**
+   * SourceSpacing for the body without nodules, mm. Half the distance to a base or a layer is
+   * sufficient. The default 0 selects the value of SourceSpacing.
+   */
   vtkSetMacro(SourceSpacingWithout, double);
   vtkGetMacro(SourceSpacingWithout, double);
   ///@}
 
   ///@{
-  /** As in vtkElasticCompliance, for each body: MiB, 0 (default): nine tenths of the available
-   * memory. */
+  /**
+   * Same as in vtkElasticCompliance, for each of the two bodies, MiB. The default 0 allows nine
+   * tenths of the available memory.
+   */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
-  /** As in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
+  /** Same as in vtkElasticCompliance: 0 Automatic (default), 1 Supernodal, 2 Simplicial. */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
   ///@{
-  /** Sums over both bodies of the values of vtkElasticContactResponse. */
+  /** Sums of the values of vtkElasticContactResponse over both bodies. */
   vtkGetMacro(MemoryEstimate, double);
   vtkGetMacro(NumberOfSolutions, vtkIdType);
   ///@}

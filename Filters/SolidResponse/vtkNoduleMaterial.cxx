@@ -26,7 +26,7 @@
 
 namespace
 {
-constexpr vtkIdType CellsPerAbortCheck = 4096; // cells between checks for an abort
+constexpr vtkIdType CellsPerAbortCheck = 4096; // number of cells between checks for an abort
 constexpr int MostSubdivisions = 64;
 
 /// The output arrays.
@@ -149,8 +149,8 @@ double vtkNoduleMaterial::MixCell(
 {
   const double within = std::min(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0);
   const double around = material.poissonRatio;
-  // The nodules are mixed in one by one. The fraction of each is relative to the volume mixed so
-  // far, including its own.
+  // The nodules are mixed in one by one. The fraction of each nodule is relative to the volume that
+  // has been mixed so far, including the nodule.
   double mixed = 1.0 - within;
   for (std::size_t i = 0; i < fractions.size(); ++i)
   {

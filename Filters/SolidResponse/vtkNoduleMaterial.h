@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNoduleMaterial
- * @brief spheres of another material in a volume mesh
+ * @brief adds spheres of another material to a volume mesh
  *
  * Input: a vtkUnstructuredGrid of VTK_HEXAHEDRON, VTK_VOXEL, VTK_TETRA and VTK_QUADRATIC_TETRA
- * cells in mm. E and ν of the tissue around the nodules come from arrays to process 0 and 1 (cell
- * data, one component) or, without arrays, from the constants. Empty input gives empty output.
+ * cells in mm. E and ν of the tissue around the nodules are taken from the arrays to process 0 and
+ * 1 (cell data, one component) or, without arrays, from the constants. Empty input gives empty
+ * output.
  *
  * Output: the same grid with the cell arrays (doubles)
  * - `YoungsModulus` (MPa) and `PoissonRatio`: with the nodules;
  * - `YoungsModulusWithout` and `PoissonRatioWithout`: without the nodules;
  * - `NoduleFraction`: the fraction of the cell's volume that nodules fill, 0 to 1.
  *
- * In a cell that is cut by the surface of a sphere, the materials are mixed by their fractions of
- * the volume, counted at Subdivisions³ points of the cell. E is mixed by palpate::mixedModulus,
- * harmonically for a harder nodule and geometrically for a softer one; ν is mixed by volume. Where
- * spheres overlap, the sphere that was added last determines the material.
+ * In a cell that is cut by the surface of a sphere, the materials are mixed according to their
+ * volume fractions, which are counted at Subdivisions³ points of the cell. palpate::mixedModulus
+ * mixes E, harmonically for a harder nodule and geometrically for a softer nodule. ν is the mean
+ * weighted by volume. Where spheres overlap, the sphere that was added last determines the
+ * material.
  *
- * **Accuracy.** Error of the force on a nodule of 3 mm, ten times as hard, in cells of 1 mm: 1.5 %
- * at a depth of 2 mm or more, 4 % at 1 mm. Cells should be no larger than half the distance of a
- * nodule's top from the surface, and no larger than a third of its radius.
+ * **Accuracy.** The error of the force on a nodule of 3 mm, which is ten times as hard as the
+ * tissue, in cells of 1 mm, is 1.5 % if the nodule is 2 mm or more below the surface, and 4 % if it
+ * is 1 mm below. Cells should be no larger than half the distance of a nodule's top from the
+ * surface, and no larger than a third of the nodule's radius.
  *
- * These are errors without output: a wrong radius, E or ν (E positive and finite, ν 0 to 0.499), or
- * a nodule that fills no part of any cell, with its number; a wrong array or a wrong value in it; a
- * cell of another kind.
+ * These are errors without output: a radius, E or ν of a nodule that is out of range (E must be
+ * positive and finite, ν 0 to 0.499), or a nodule that fills no part of any cell (the error gives
+ * the number of the nodule); an invalid array, or an invalid value in an array; and a cell of
+ * another type.
  *
- * Cost: Subdivisions³ distances for each cell whose box a sphere's surface cuts, milliseconds for
- * ten thousand cells.
+ * Cost: Subdivisions³ distances for each cell whose bounding box intersects the surface of a
+ * sphere. For ten thousand cells this takes milliseconds.
  *
  * @code{.py}
  * material = palpate.vtkNoduleMaterial()
@@ -61,21 +65,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** E around the nodules, MPa, used if there is no array. Default 0.1. */
+  /** E around the nodules, MPa. It is used if there is no array of E. Default 0.1. */
   vtkSetMacro(YoungsModulus, double);
   vtkGetMacro(YoungsModulus, double);
   ///@}
 
   ///@{
-  /** ν around the nodules, 0 to 0.499, used if there is no array. Default 0.45. */
+  /** ν around the nodules, 0 to 0.499. It is used if there is no array of ν. Default 0.45. */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
   ///@}
 
   ///@{
   /**
-   * Adds a sphere: centre and radius in mm, E in MPa, and ν. Without ν, its Poisson's ratio is that
-   * of the tissue around it. The values are checked when the filter runs.
+   * Adds a sphere with centre and radius in mm, E in MPa, and ν. Without ν, the Poisson's ratio is
+   * that of the tissue around the sphere. The values are checked when the filter runs.
    */
   void AddNodule(double x, double y, double z, double radius, double youngsModulus);
   void AddNodule(
@@ -86,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Number of sample points along each side of a cell that is cut by a sphere's surface, 1 to 64.
-   * Default 8.
+   * Number of sample points along each side of a cell that is cut by the surface of a sphere, 1 to
+   * 64. Default 8.
    */
   vtkSetMacro(Subdivisions, int);
   vtkGetMacro(Subdivisions, int);
@@ -104,7 +108,7 @@ private:
   vtkNoduleMaterial(const vtkNoduleMaterial&) = delete;
   void operator=(const vtkNoduleMaterial&) = delete;
 
-  /// A sphere as given by the user.
+  /// A sphere, with the values that the user gave.
   struct Nodule
   {
     std::array<double, 3> Middle;
@@ -115,8 +119,8 @@ private:
   };
 
   std::string Check();
-  /// Mixes the nodules, which fill `fractions` of a cell, into its material. Returns the fraction
-  /// of the cell that all nodules fill together.
+  /// Mixes the materials of the nodules, which fill `fractions` of a cell, with the material of the
+  /// cell. Returns the fraction of the cell that all nodules fill together.
   double MixCell(const std::vector<double>& fractions, palpate::ElasticMaterial& material) const;
   std::string Mix(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* output);
 

@@ -33,22 +33,23 @@
 
 namespace
 {
-// Fractions of the work for the progress.
+// Fractions of the progress at the end of the steps.
 constexpr double TakenShare = 0.05;
 constexpr double ContouredShare = 0.1;
 constexpr double FilledShare = 0.95;
 
-/// Desired number of cells at the surface, and largest number of cells that all enclosed regions
-/// together may add.
+/// Desired number of cells at the surface. It is also the largest number of cells that all enclosed
+/// regions together may add.
 constexpr double UsualCells = 10000.0;
-/// Side of the largest cavities that are filled, in spacings.
+/// Side length of the largest cavities that are filled, in spacings.
 constexpr double LeastCavity = 2.0;
-/// The lattice of the contour may be coarser than the voxels, but not than this fraction of the
-/// spacing.
+/// The lattice of the contour may be coarser than the voxels, but not coarser than this fraction of
+/// the spacing.
 constexpr double LatticeOfSpacing = 0.25;
-/// Length of the cells in an enclosed region, as a fraction of its depth and of its radius.
+/// Length of the cells in an enclosed region, as a fraction of the depth or of the radius of the
+/// region.
 constexpr double CellsOfRegion = 0.5;
-/// Largest number of points of the surface for which a response should solve.
+/// Largest number of surface points for which a response should solve the body.
 constexpr double UsualSources = 2500.0;
 constexpr double CoarseningStep = 1.1;
 constexpr std::size_t MostFineRegions = 64;

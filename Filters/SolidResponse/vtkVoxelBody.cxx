@@ -32,26 +32,27 @@
 
 namespace
 {
-/// Depth of the core below the surface, in spacings. The layer fills the gap.
+/// Depth of the core below the surface, in spacings. The layer of hexahedra fills this gap.
 constexpr double LayerDepth = 0.4;
 
-/// Edges of the surface that are sharper than this are kept, degrees.
+/// Edges of the surface with a larger dihedral angle than this are kept, degrees.
 constexpr double SharpAngle = 45.0;
 
-/// Largest distance of the outward search for the surface, relative to the distance of the closest
-/// point. The ratio is √3 at a corner.
+/// Longest outward search for the surface, relative to the distance of the closest point. The ratio
+/// is √3 at a corner.
 constexpr double LongestReach = 1.75;
 /// Peak memory of the filter, measured on a filled box and on a ball.
 constexpr double BytesPerGridPoint = 40.0;
 constexpr double BytesPerVoxel = 310.0;
-/// Largest number of points of the grid, well within the range of 32 bits.
+/// Largest number of grid points. It is well within the range of 32 bits.
 constexpr double MostGridPoints = std::numeric_limits<std::int32_t>::max() / 8.0;
 
-/// Tolerance of the intersection with a line, relative to the spacing. With 0 vtkStaticCellLocator
-/// misses faces at the borders of its bins.
+/// Tolerance of the intersection with a line, relative to the spacing. With a tolerance of 0,
+/// vtkStaticCellLocator misses faces at the borders of its bins.
 constexpr double PickTolerance = 1e-6;
 
-/// Voxels along each side of a box, as doubles because they may exceed the range of int.
+/// Returns the number of voxels along each side of a box. The numbers are doubles, because they may
+/// exceed the range of int.
 Eigen::Array3d voxelsAlong(const vtkBoundingBox& box, double spacing)
 {
   Eigen::Array3d voxels;
@@ -137,7 +138,7 @@ int vtkVoxelBody::RequestData(
   }
   palpate::VoxelGrid grid = gridOver(box, voxels);
 
-  // Depths of the grid's nodes; negative outside.
+  // Depth of each node of the grid below the surface; negative outside.
   vtkNew<vtkPoints> nodes;
   nodes->SetDataType(VTK_DOUBLE);
   nodes->SetNumberOfPoints(static_cast<vtkIdType>(grid.nodeTotal()));
@@ -179,8 +180,8 @@ int vtkVoxelBody::RequestData(
     edgeLocator->SetDataSet(edges->GetOutput());
     edgeLocator->BuildLocator();
   }
-  // Moves a node to a sharp edge if one lies in the outward direction, otherwise to the closest
-  // point.
+  // Moves a node to a sharp edge if there is one in the outward direction. Otherwise moves the node
+  // to the closest point of the surface.
   const auto reach = [&](const Eigen::Vector3d& x, const Eigen::Vector3d& outward)
   {
     const Eigen::Vector3d near = palpate::closestPlace(locator, x).at;

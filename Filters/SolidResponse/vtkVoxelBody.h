@@ -4,24 +4,26 @@
  * @brief fills a closed surface with hexahedra, as a body for vtkElasticCompliance
  *
  * Input: a closed vtkPolyData of triangles that wind counter-clockwise as seen from outside, in mm.
- * Points at the same place count as one. These are errors: an open surface, an inverted surface,
+ * Points at the same position count as one. These are errors: an open surface, an inverted surface,
  * and a surface that is too small for any voxel.
  *
  * Output: a vtkUnstructuredGrid of VTK_HEXAHEDRON cells. The core consists of voxels of a grid of
  * about Spacing (fitted to the bounding box) whose corners are all at least 0.4 Spacing below the
- * surface. If there are several parts only the largest is kept, and a warning gives the number of
- * lost voxels. With Conform on (default) a layer of hexahedra, one on each outer face of the core,
- * extends from there to the closest points of the surface, or to a sharp edge of it (45°). Where
- * this would distort a hexahedron too much, the layer ends slightly below the surface. The outside
- * is then as smooth as the surface, whereas voxels alone would have an edge at every step. Sharp
- * edges across the grid are chamfered by up to a Spacing. With Conform off the output is the voxels
- * whose corners are inside. Point array `Fixed` (uint8): 7 on each of the FixedFaces (the outer
- * faces that face that side, within half a Spacing of the output's outermost point) and for all
- * points within a given depth, 0 elsewhere.
+ * surface. If the core has several parts, only the largest part is kept, and a warning gives the
+ * number of lost voxels. With Conform on (default), a layer of hexahedra, one on each outer face of
+ * the core, extends from the core to the closest points of the surface, or to a sharp edge of the
+ * surface (45°). Where this would distort a hexahedron too much, the layer ends slightly below the
+ * surface. The outside is then as smooth as the surface, whereas voxels alone would have an edge at
+ * every step. Sharp edges that are oblique to the grid are chamfered by up to one Spacing. With
+ * Conform off, the output consists of the voxels whose corners are inside. The point array `Fixed`
+ * (uint8) is 7 for points on each of the FixedFaces, 7 for all points within a given depth of a
+ * side, and 0 elsewhere. The points on a side of FixedFaces are those of the outer faces that face
+ * this side, within half a Spacing of the output's outermost point.
  *
  * Walls thinner than three Spacings are lost. Cost: about 20 µs per voxel of the bounding box, 40
- * bytes per point of it and 310 bytes per voxel inside. A Spacing that needs more than the
- * available memory is an error. The result is the same on every run, with any number of threads.
+ * bytes per grid point of the bounding box, and 310 bytes per voxel inside the body. A Spacing that
+ * needs more than the available memory is an error. The result is the same on every run, with any
+ * number of threads.
  *
  * @code{.py}
  * solid = palpate.vtkVoxelBody()
@@ -50,8 +52,8 @@ public:
 
   ///@{
   /**
-   * Side of the voxels, mm. 0 (default): chosen from the body, the cube root of its volume divided
-   * by 10,000. On a ball of 140 mm diameter this is 5.2 mm.
+   * Side length of the voxels, mm. With the default 0, it is chosen from the body: the cube root of
+   * its volume divided by 10,000. For a ball of 140 mm diameter this is 5.2 mm.
    */
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
@@ -60,22 +62,25 @@ public:
   ///@{
   /**
    * Sides of the bounding box that hold the body: any of "x-", "x+", "y-", "y+", "z-", "z+",
-   * separated by commas or blanks. Each may have a depth in mm, as in "z-:5,x+". Without a depth
-   * the outer faces that face the side are held, within half a Spacing of the outermost point; this
-   * is only a small part of a round bottom. Default "z-"; empty: none.
+   * separated by commas or blanks. Each side may have a depth in mm, as in "z-:5,x+". Without a
+   * depth, the outer faces that face the side are held if they are within half a Spacing of the
+   * outermost point. On a round bottom this is only a small part. Default "z-". With an empty text,
+   * no side is held.
    */
   vtkSetMacro(FixedFaces, std::string);
   vtkGetMacro(FixedFaces, std::string);
   ///@}
 
   ///@{
-  /** Whether a layer joins the voxels to the surface. Default on. */
+  /** Whether a layer of hexahedra joins the voxels to the surface. Default on. */
   vtkSetMacro(Conform, bool);
   vtkGetMacro(Conform, bool);
   vtkBooleanMacro(Conform, bool);
   ///@}
 
-  /** The side of the voxels of the last run, given or chosen, mm; 0 if the surface was refused. */
+  /**
+   * Given or chosen side length of the voxels in the last run, mm; 0 if the surface was refused.
+   */
   vtkGetMacro(UsedSpacing, double);
 
 protected:

@@ -9,19 +9,20 @@ namespace palpate
 /// Criteria for a dark base under brighter tissue along a ray of grey values.
 struct BaseCriteria
 {
-  double baseValue;         ///< a sample below this value is dark
+  double baseValue;         ///< grey value; a sample below this value is dark
   std::ptrdiff_t edge;      ///< width of a blurred edge in samples, > 0
   std::ptrdiff_t darkCount; ///< smallest number of dark samples of a base
 };
 
 /**
- * Start of the first dark base, in samples from the start of a ray; +inf if the ray has no base.
+ * Returns the start of the first dark base as a number of samples from the start of a ray. Returns
+ * +inf if the ray has no base.
  *
  * The search begins at the first sample that is not dark, and ends at the first sample that is not
- * finite. A dark run is a base if it is long enough, and if its lowest value within an edge width
- * is at most half the highest value of the tissue within an edge width above it. The base begins
- * where the grey level falls through the mean of these two values. That is the position of a sharp
- * edge, however partial volume has blurred it.
+ * finite. A run of dark samples is a base if it is long enough, and if its lowest value within one
+ * edge width is at most half the highest value of the tissue within one edge width above the run.
+ * The base begins where the grey level falls through the mean of these two values. This level gives
+ * the position of a sharp edge for any blur by the partial-volume effect.
  */
 double findBaseDepth(const double* grey, std::size_t count, const BaseCriteria& criteria);
 } // namespace palpate

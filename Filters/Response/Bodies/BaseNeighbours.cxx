@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestTurn = 0.5; // cosine of 60°; at larger angles the surface counts as facing
-                                    // another way
+// Cosine of 60°; at larger angles the surface counts as differently oriented.
+constexpr double LargestTurn = 0.5;
 } // namespace
 
 float BaseNeighbours::median(
@@ -34,7 +34,7 @@ float BaseNeighbours::median(
   }
   if (found.empty())
   {
-    return std::numeric_limits<float>::infinity(); // no normal
+    return std::numeric_limits<float>::infinity(); // point `i` has no normal
   }
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
   std::nth_element(found.begin(), middle, found.end());
@@ -51,8 +51,8 @@ InverseDepth BaseNeighbours::mean(vtkIdType i, const std::vector<float>& depths,
   { return 1.0 / std::max(static_cast<double>(of[static_cast<std::size_t>(j)]), depthError); };
   const double own = inverse(medians, i);
   double weights = 0.0;
-  double sum = 0.0;     // of the differences of the medians from that of the point
-  double squares = 0.0; // of these differences
+  double sum = 0.0;     // sum of the differences of the medians from the median of the point
+  double squares = 0.0; // sum of the squares of these differences
   double raw = 0.0;
   for (const vtkIdType j : *near)
   {

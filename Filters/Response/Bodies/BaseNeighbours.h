@@ -26,22 +26,24 @@ struct NormalSurface
   }
 };
 
-/// The base under a point: 1/depth and its error, 1/mm.
+/// The inverse depth of the base below a point, 1/mm.
 struct InverseDepth
 {
-  double value; ///< 0: no base
+  double value; ///< 1/depth; 0 if there is no base
   double error;
 };
 
 /**
  * Combines the depths of a base that were measured below the points of a surface.
  *
- * Neighbours of a point are the points within `radius` (mm) whose normals turn by less than 60°,
- * and the point itself. A depth (mm) is +inf where no base was found.
+ * Neighbours of a point are the points within `radius` (mm) whose normals differ from the normal of
+ * the point by less than 60°, and the point itself. A depth (mm) is +inf if no base was found below
+ * the point.
  *
- * The mean is that of 1/depth, because a base at the depth h raises the force of a contact by an
- * amount proportional to 1/h, to first order; without a base 1/h is 0. A neighbour at the distance
- * r has the weight 1 - (r/radius)², so that the mean changes gradually from point to point.
+ * The values 1/depth are averaged, because a base at the depth h raises the force of a contact by
+ * an amount proportional to 1/h, to first order. Without a base, 1/h is 0. A neighbour at the
+ * distance r has the weight 1 - (r/radius)², so that the mean changes gradually from point to
+ * point.
  */
 class BaseNeighbours
 {
@@ -52,15 +54,17 @@ public:
   {
   }
 
-  /// Median depth of the neighbours of point `i`. `near` and `found` are memory.
+  /// Returns the median depth of the neighbours of point `i`. The contents of `near` and `found`
+  /// are overwritten; the caller keeps them to avoid allocations.
   float median(vtkIdType i, const std::vector<float>& depths, vtkIdList* near,
     std::vector<float>& found) const;
 
   /**
-   * Mean of the inverse medians of the neighbours of point `i`. The error is the sum of their
-   * standard deviation, of the difference of this mean from the mean of the inverse depths, and of
-   * the effect of `depthError` (mm, > 0), which is also the smallest depth. A base below `deepest`
-   * (mm) counts as no base; then 1/depth is uncertain by at least 1/deepest.
+   * Returns the mean of the inverse medians of the neighbours of point `i`, and its error. The
+   * error is the sum of three parts: the standard deviation of the inverse medians; the difference
+   * of the mean from the mean of the inverse depths; and the effect of `depthError`. `depthError`
+   * (mm, > 0) is also the smallest depth. A base below `deepest` (mm) counts as no base, and
+   * 1/depth is then uncertain by at least 1/deepest. The contents of `near` are overwritten.
    */
   InverseDepth mean(vtkIdType i, const std::vector<float>& depths,
     const std::vector<float>& medians, double deepest, double depthError, vtkIdList* near) const;

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-/** Returns the name of the filter that makes a body from data of another type. */
+/** Returns the name of the filter that converts data of another type to a body. */
 std::string advice(vtkDataObject* data)
 {
   struct Advice

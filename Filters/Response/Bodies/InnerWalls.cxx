@@ -22,8 +22,8 @@ namespace
 using Corner = std::array<double, 3>;
 
 /**
- * Hash of bytes. If two hashes with different start values are compared, a collision is practically
- * impossible.
+ * Returns a hash of bytes. `hash` is the start value. A key consists of two hashes with different
+ * start values, so that a collision of keys is practically impossible.
  */
 std::uint64_t mix(std::uint64_t hash, const void* data, std::size_t size)
 {
@@ -51,7 +51,7 @@ struct KeyHash
 };
 
 /**
- * Makes a key from the corners of a polygon and the name of the block. The key does not depend on
+ * Returns a key from the corners of a polygon and the name of the block. The key does not depend on
  * the corner at which the polygon begins.
  */
 Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std::string& block)
@@ -62,7 +62,7 @@ Key keyOf(vtkPolyData* surface, vtkIdType count, const vtkIdType* ids, const std
     surface->GetPoint(ids[i], corners[i].data());
     for (double& c : corners[i])
     {
-      c += 0.0; // turns -0 into 0, so that equal coordinates have equal bytes
+      c += 0.0; // converts -0 to 0, so that equal coordinates have equal bytes
     }
   }
   std::sort(corners.begin(), corners.end());
@@ -105,7 +105,7 @@ void removeInnerWalls(
     {
       auto withoutGhosts = vtkSmartPointer<vtkPolyData>::New();
       withoutGhosts->ShallowCopy(made[i].surface);
-      // Removes the walls of structured pieces, which are faces of ghost cells.
+      // This removes the walls of structured pieces, which are faces of ghost cells.
       withoutGhosts->RemoveGhostCells();
       made[i].surface = withoutGhosts;
       own[i] = keysOf(made[i].surface, blocks[i]);
@@ -141,7 +141,7 @@ void removeInnerWalls(
       }
     }
     kept->RemoveDeletedCells();
-    vtkNew<vtkCleanPolyData> used; // removes the points inside the walls
+    vtkNew<vtkCleanPolyData> used; // this removes the points inside the walls
     used->SetInputData(kept);
     used->PointMergingOff();
     used->Update();

@@ -30,7 +30,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Fraction of the diagonal: points closer than this are merged.
+/// Points closer than this fraction of the diagonal are merged.
 constexpr double RoundedApart = 1e-6;
 
 bool isStructured(vtkDataSet* data)
@@ -46,8 +46,8 @@ Vector3d placeOf(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Six times the volume enclosed by the faces of a cell. Each face is divided into a fan of
-/// triangles. The volume is negative if the cell winds inward.
+/// Returns six times the volume that the faces of a cell enclose. Each face is divided into a fan
+/// of triangles. The volume is negative if the cell winds inward.
 double sixfoldVolume(vtkCell* cell)
 {
   const Vector3d origin = placeOf(cell->GetPoints(), 0);
@@ -55,7 +55,7 @@ double sixfoldVolume(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* face = cell->GetFace(i);
-    // A face has as many edges as corners; edge midpoints follow the corners.
+    // A face has as many edges as corners. The mid-edge nodes follow the corners.
     const int corners = face->GetNumberOfEdges();
     const bool isPixel = face->GetCellType() == VTK_PIXEL;
     const auto corner = [&](int k) -> Vector3d // corners in order around the face
@@ -78,7 +78,7 @@ std::vector<vtkIdType> pointsOf(vtkUnstructuredGrid* grid, vtkIdType cell)
   return sorted;
 }
 
-/// Finds cells that have the type and the points of an earlier cell.
+/// Finds cells that have the same type and the same points as an earlier cell.
 std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
@@ -109,11 +109,12 @@ std::vector<bool> findRepeated(vtkUnstructuredGrid* grid)
   return isRepeated;
 }
 
-/// The three-dimensional cells without repeated ones, and the number of cells of each winding.
+/// The three-dimensional cells without repetitions, and the number of cells of each orientation.
 struct SolidCells
 {
   vtkNew<vtkIdList> all;
-  vtkIdType repeated = 0; ///< number of cells left out, because an earlier cell has the same points
+  /// Number of cells that are left out because an earlier cell has the same points.
+  vtkIdType repeated = 0;
   vtkIdType positive = 0;
   vtkIdType firstPositive = -1;
   vtkIdType negative = 0;
@@ -208,8 +209,8 @@ vtkSmartPointer<vtkPolyData> outerFaces(
   {
     return surface->GetOutput();
   }
-  // Along the edges of a structured grid, its sides have separate points at the same place. A grid
-  // that closes around an axis also has separate points at the seam. Merge these points.
+  // A structured grid has separate points at the same position along its edges, and at the seam if
+  // the grid closes around an axis. These points are merged.
   vtkNew<vtkStaticCleanPolyData> clean;
   clean->SetInputData(surface->GetOutput());
   clean->ToleranceIsAbsoluteOn();

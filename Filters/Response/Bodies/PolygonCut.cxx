@@ -21,7 +21,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Number of triangles of the polygons and strips of a surface.
+/// Returns the number of triangles into which the polygons and strips of a surface are cut.
 vtkIdType triangleCountOf(vtkPolyData* surface)
 {
   // A polygon or a strip of n corners has n - 2 triangles.
@@ -36,7 +36,8 @@ Vector3d cornerAt(vtkPoints* points, vtkIdType id)
   return place;
 }
 
-/// Returns a vector along the normal of a polygon whose length is twice the area.
+/// Returns a vector along the normal of a polygon. The length of the vector is twice the area of
+/// the polygon.
 Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));
@@ -49,8 +50,8 @@ Vector3d areaOf(vtkPoints* points, vtkIdList* polygon)
   return sum;
 }
 
-/// Returns triangles that cover a polygon, three corners each. Returns an empty list if none are
-/// found.
+/// Returns triangles that cover a polygon, three corners each. Returns an empty list if no such
+/// triangles are found.
 std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
 {
   vtkNew<vtkPolygon> cell;
@@ -79,7 +80,7 @@ std::vector<vtkIdType> trianglesOf(vtkPoints* points, vtkIdList* polygon)
   return found;
 }
 
-/// Whether the triangles have the area of the polygon.
+/// Returns whether the sum of the triangles' areas equals the area of the polygon.
 bool covers(const std::vector<vtkIdType>& triangles, vtkPoints* points, const Vector3d& area)
 {
   double sum = 0.0;
@@ -115,7 +116,7 @@ void dropRepeatedCorners(vtkIdList* polygon)
   polygon->SetNumberOfIds(kept);
 }
 
-/// Whether parts of a polygon's area cancel each other, because its sides cross.
+/// Returns whether parts of a polygon's area cancel each other because its sides cross.
 bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
 {
   const Vector3d origin = cornerAt(points, polygon->GetId(0));
@@ -129,7 +130,8 @@ bool cancelsOut(vtkPoints* points, vtkIdList* polygon, const Vector3d& area)
   return area.norm() < 1e-6 * sum;
 }
 
-/// Cuts each polygon separately. Used for surfaces with polygons that the VTK filter drops.
+/// Cuts each polygon separately. This function is used for surfaces with polygons that the VTK
+/// filter drops.
 vtkSmartPointer<vtkPolyData> cutEach(vtkPolyData* surface, std::string& fault)
 {
   vtkPoints* points = surface->GetPoints();

@@ -24,20 +24,21 @@ namespace palpate
 {
 namespace
 {
-/// Pass band of the smoothing, for a lattice as fine as the scan. The smoothing removes traces of
-/// voxels (waves of up to about ten spacings) and keeps longer waves.
+/// Pass band of the smoothing for a lattice as fine as the scan. The smoothing removes traces of
+/// voxels, which are waves of up to about ten spacings. It keeps longer waves.
 constexpr double PassBand = 0.02;
-/// Fraction of the step from contour value to tissue; see keepClearOfVoxels.
+/// Distance from the contour value, as a fraction of the step from contour value to tissue; see
+/// keepClearOfVoxels.
 constexpr float Clearance = 0.005F;
 
-/** Returns the stage for a fraction of the work of `stage`. */
+/** Returns the stage for the part of `stage` between the fractions `from` and `to`. */
 FilterStage part(const FilterStage& stage, double from, double to)
 {
   const double length = stage.to - stage.from;
   return { stage.filter, stage.from + from * length, stage.from + to * length };
 }
 
-/** Returns the scan as an image. Its coordinates are index times spacing. */
+/** Returns the scan as an image. The coordinates of its points are index times spacing. */
 vtkSmartPointer<vtkImageData> asImage(SkinScan& scan)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -50,7 +51,10 @@ vtkSmartPointer<vtkImageData> asImage(SkinScan& scan)
   return image;
 }
 
-/** Size of a lattice over the same box with a spacing of about `resolution`; 0 keeps the size. */
+/**
+ * Returns the size of a lattice over the same box with a spacing of about `resolution`. A
+ * resolution of 0 keeps the size.
+ */
 std::array<int, 3> resampledSize(const SkinScan& scan, double resolution)
 {
   std::array<int, 3> size = scan.size;
@@ -63,9 +67,9 @@ std::array<int, 3> resampledSize(const SkinScan& scan, double resolution)
 }
 
 /**
- * Moves each grey level that is too close to the contour value away from it, to a distance of
- * Clearance times the step from contour to tissue. Voxels exactly at the contour value would give
- * triangles without area.
+ * Moves each grey level that is too close to the contour value to a distance of Clearance times the
+ * step from contour to tissue. Voxels with exactly the contour value would give triangles without
+ * area.
  */
 void keepClearOfVoxels(vtkImageData* image, float contour, float tissue)
 {
@@ -78,7 +82,7 @@ void keepClearOfVoxels(vtkImageData* image, float contour, float tissue)
   }
 }
 
-/** Returns the contour, or its largest region; null if aborted. */
+/** Returns the contour or its largest region. Returns null if the work was aborted. */
 vtkSmartPointer<vtkPolyData> contourOf(
   vtkImageData* image, const SkinContour& wanted, const FilterStage& stage)
 {
@@ -97,7 +101,7 @@ vtkSmartPointer<vtkPolyData> contourOf(
   {
     largest->SetExtractionModeToAllRegions();
   }
-  vtkNew<vtkCleanPolyData> used; // removes the points of the other regions
+  vtkNew<vtkCleanPolyData> used; // this removes the points of the other regions
   used->SetInputConnection(largest->GetOutputPort());
   used->PointMergingOff();
   const bool done = runWithin(edges, part(stage, 0.2, 0.3)) &&
@@ -108,8 +112,8 @@ vtkSmartPointer<vtkPolyData> contourOf(
 /**
  * Sets Hamming's window, for which PassBand was chosen. With this window, waves of 8 spacings keep
  * 3 % of their amplitude. Before March 2024 (VTK 9.4, and the 9.3 in ParaView 5.13) VTK had no
- * other window. Since then Nuttall's window is the default. With it, more iterations are needed for
- * the same result, and the waves keep 54 %.
+ * other window. Since then Nuttall's window is the default. With Nuttall's window, more iterations
+ * are needed for the same result, and the waves keep 54 % of their amplitude.
  */
 template <typename TFilter>
 auto useHamming(TFilter* smooth, int) -> decltype(smooth->SetWindowFunctionToHamming())
@@ -121,7 +125,7 @@ void useHamming(TFilter*, long)
 {
 }
 
-/** Runs VTK's windowed-sinc filter. The function smooth corrects the scale of the result. */
+/** Runs VTK's windowed-sinc filter. The caller corrects the scale of the result (see smooth). */
 bool smoothRaw(vtkPolyData* surface, int iterations, double passBand, FilterStage stage)
 {
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
@@ -137,10 +141,10 @@ bool smoothRaw(vtkPolyData* surface, int iterations, double passBand, FilterStag
 }
 
 /**
- * Windowed-sinc smoothing that does not move border points. The filter's gain at frequency zero is
- * not quite 1: it scales all points about the centre of the box by about 0.2 %. This function
- * reverses the scaling. The factor is found by smoothing a triangle, all of whose points are border
- * points.
+ * Applies windowed-sinc smoothing that does not move border points. The filter's gain at frequency
+ * zero is not exactly 1: the filter scales all points about the centre of the box by about 0.2 %.
+ * This function reverses the scaling. It finds the factor by smoothing a triangle, because all
+ * points of a triangle are border points.
  */
 bool smooth(vtkPolyData* surface, int iterations, double passBand, FilterStage stage)
 {
@@ -195,7 +199,7 @@ void placeAs(vtkImageData* image, vtkPoints* points)
   }
 }
 
-/** Adds outward point normals. Returns false if aborted. */
+/** Adds outward point normals. Returns false if the work was aborted. */
 bool orient(vtkPolyData* surface, vtkImageData* image, FilterStage stage)
 {
   const double* spacing = image->GetSpacing();
@@ -238,7 +242,7 @@ vtkSmartPointer<vtkPolyData> contourSkin(
   }
   const double coarser =
     std::cbrt(1.0 * static_cast<double>(scan.values.size()) / lattice->GetNumberOfPoints());
-  // On a finer lattice a smaller pass band removes the same wavelengths in mm.
+  // On a finer lattice, a smaller pass band removes waves of the same length in mm.
   const double passBand = PassBand * std::min(1.0, coarser * coarser);
   if (!smooth(surface, wanted.iterations, passBand, part(stage, 0.6, 0.93)))
   {

@@ -13,25 +13,29 @@ namespace palpate
 {
 struct SkinLevel
 {
-  double given = 0.0;   ///< in the unit of the scan; for labels the middle of their range
+  /// Grey level in the unit of the scan; for labels, the middle of their range.
+  double given = 0.0;
   float contour = 0.0f; ///< level of the contour, for the values after mark()
-  float tissue = 0.0f;  ///< grey value of tissue; as far above the contour as air is below
-  /// Whether the values are labels of tissues. Labels are not a measure of density. So mark()
-  /// replaces the smallest label by 0 and all other labels by 1.
+  /// Grey value of tissue; its distance above the contour equals the distance of air below the
+  /// contour.
+  float tissue = 0.0f;
+  /// Whether the values are labels of tissues. Labels are not a measure of density. Therefore
+  /// mark() replaces the smallest label by 0 and all other labels by 1.
   bool isLabelled = false;
-  float outside = 0.0f; ///< the smallest label
+  float outside = 0.0f; ///< the smallest label, which counts as outside the body
 
-  /// Replaces labels by 0 and 1; other values stay.
+  /// Replaces labels by 0 and 1. Values that are not labels stay unchanged.
   void mark(std::vector<float>& values) const;
 };
 
-/// Integers count as labels if they have at most this many different values.
+/// Largest number of different values for which integers count as labels.
 inline constexpr int MostLabels = 64;
 
 /**
  * Finds the level of a scan with one component, whose finite values are between `least` and `most`.
- * If `wanted` is 0, the level is chosen: 0.5 for marked labels, otherwise 12 % of the range. That
- * is 31 for grey values from 0 to 255, and -533 for CT numbers from -1024 to 3071.
+ * If `wanted` is 0, the function chooses the level: 0.5 for labels after mark(), otherwise 12 % of
+ * the range. For example, 12 % of the range gives 31 for grey values from 0 to 255, and -533 for CT
+ * numbers from -1024 to 3071.
  */
 SkinLevel skinLevel(vtkDataArray* values, double wanted, double least, double most);
 } // namespace palpate

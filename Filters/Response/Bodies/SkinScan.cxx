@@ -11,10 +11,13 @@ namespace palpate
 {
 namespace
 {
-/** runs[w]: the indices (j, k) of the rows of a ball that extend from -w to w along x. */
+/**
+ * The rows of a ball. runs[w] contains the indices (j, k) of the rows that extend from -w to w
+ * along x.
+ */
 struct Ball
 {
-  std::array<int, 3> reach; // voxels
+  std::array<int, 3> reach; // half the extent of the ball along x, y, z, in voxels
   std::vector<std::vector<std::pair<int, int>>> runs;
 
   Ball(double radius, const SkinScan& scan)
@@ -42,8 +45,8 @@ struct Ball
 };
 
 /**
- * Returns the scan with `margin` more voxels on every side, filled with `air`. A negative margin
- * removes voxels.
+ * Returns the scan with `margin` additional voxels on every side, filled with `air`. A negative
+ * margin removes voxels.
  */
 SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float air)
 {
@@ -73,8 +76,9 @@ SkinScan widened(const SkinScan& scan, const std::array<int, 3>& margin, float a
 }
 
 /**
- * Replaces each voxel by the extremum over the ball around it: a flat grey-level dilation (pick =
- * max) or erosion (pick = min). Rows of the ball of equal length share their extrema along x.
+ * Replaces each voxel by the extremum over the ball around the voxel. This is a flat grey-level
+ * dilation (pick = max) or erosion (pick = min). Rows of the ball with equal length share their
+ * extrema along x.
  */
 template <typename Pick>
 bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan::Progress& progress)
@@ -82,7 +86,7 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
   const vtkIdType X = scan.size[0];
   const vtkIdType Y = scan.size[1];
   const vtkIdType Z = scan.size[2];
-  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x, for the present w
+  std::vector<float> extrema = scan.values; // extrema over [-w, w] along x, for the current w
   auto lengthen = [&extrema, pick, X](vtkIdType row, vtkIdType end)
   {
     std::vector<float> shorter(X);
@@ -127,8 +131,8 @@ bool spreadOverBall(SkinScan& scan, const Ball& ball, Pick pick, const SkinScan:
 }
 
 /**
- * Returns the voxels that are marked `below` and connected to `seed` through faces. Clears their
- * marks.
+ * Returns the voxels that are marked in `below` and connected to `seed` through faces. Clears the
+ * marks of these voxels.
  */
 std::vector<vtkIdType> takeRegion(vtkIdType seed, std::vector<char>& below, const SkinScan& scan)
 {

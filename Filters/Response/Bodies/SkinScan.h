@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
  * Grey levels of a scan, low in air and high in tissue, prepared for the contour of the outer skin:
- * openings are closed, cavities are filled. The grey levels at the skin itself do not change, so
- * that a contour keeps its sub-voxel position.
+ * openings are closed, and cavities are filled. The grey levels at the skin itself do not change,
+ * so that a contour keeps its sub-voxel position.
  *
  * Uses vtkSMPTools; the result does not depend on the number of threads.
  */
@@ -21,16 +21,17 @@ namespace palpate
 struct SkinScan
 {
   std::array<int, 3> size;       // number of voxels along x, y, z
-  std::array<double, 3> spacing; // mm, > 0
-  std::vector<float> values;     // finite, x varies fastest
+  std::array<double, 3> spacing; // spacing of the voxels, mm, > 0
+  std::vector<float> values;     // grey values, all finite; x varies fastest
 
-  /** Receives the completed fraction, 0 to 1. Returns false to stop. */
+  /** Receives the completed fraction of the work, 0 to 1. Returns false to stop. */
   using Progress = std::function<bool(double)>;
 
   /**
    * Flat grey-level closing (dilation, then erosion) with a ball of `radius` mm, as if the scan
-   * were surrounded by air. Time grows with voxels times the square of the radius in voxels.
-   * Returns false if `progress` stopped it; the values are then meaningless.
+   * were surrounded by air. The time is proportional to the number of voxels times the square of
+   * the radius in voxels. Returns false if `progress` stopped the closing; the grey values are then
+   * meaningless.
    */
   bool closeOpenings(double radius, const Progress& progress);
 

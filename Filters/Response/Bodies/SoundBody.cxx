@@ -41,8 +41,8 @@ struct PlainSurface
   }
 };
 
-/// Key of a recent surface that needed no repair: hashes of its content. The cache stores the
-/// defects.
+/// Key of the cache of recent surfaces that needed no repair. It consists of hashes of the surface.
+/// The cache stores the defects of the surface.
 using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
 
 RecentValues<SoundKey, MeshDefects>& soundSurfaces()
@@ -52,8 +52,8 @@ RecentValues<SoundKey, MeshDefects>& soundSurfaces()
   return recent;
 }
 
-/// Returns a surface of the given triangles with their cell arrays. `firstOf` replaces each corner
-/// by the first point at its place.
+/// Returns a surface that has the triangles `triangles`, with their cell arrays. `firstOf` replaces
+/// each corner by the first point at the same position.
 template <class First>
 vtkSmartPointer<vtkPolyData> withTriangles(
   vtkPolyData* surface, const std::vector<TriangleCorners>& triangles, const First& firstOf)
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkPolyData> withTriangles(
   return made;
 }
 
-/// Whether triangles of the input are left out or reversed.
+/// Returns whether triangles of the input are left out or reversed.
 bool changesTriangles(const MeshDefects& found)
 {
   return found.turnedTriangles + found.repeatedTriangles + found.hiddenTriangles + found.notFinite >

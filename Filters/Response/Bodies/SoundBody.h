@@ -18,8 +18,9 @@ namespace palpate
 class Ranks;
 
 /**
- * A body as it is used by laws, display and mesher: the triangles of a SoundMesh on the points of
- * the input. If several points of the input coincide, the first of them represents the others.
+ * The repaired body that laws, display and mesher use. It has the triangles of a SoundMesh and the
+ * points of the input. If several points of the input coincide, the first of them represents the
+ * others.
  */
 class PALPATERESPONSE_EXPORT SoundBody
 {
@@ -27,23 +28,24 @@ public:
   enum class Extent
   {
     Whole,
-    Piece ///< part of a body on several processes; the outside of a piece is unknown
+    /// A piece of a body on several processes; the outer side of the piece is unknown.
+    Piece
   };
 
   /// The input may have no points.
   explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole);
 
-  /// Reason why the input is not a body (checkTriangles, SoundMesh), or "". With a fault body() is
-  /// null.
+  /// Reason why the input is not a body (checkTriangles, SoundMesh); "" if it is a body. If there
+  /// is a fault, body() is null.
   const std::string& fault() const { return this->Fault; }
-  /// The input itself if nothing was repaired; otherwise a copy that shares its points and point
-  /// arrays.
+  /// Returns the input itself if nothing was repaired. Otherwise returns a copy that shares the
+  /// points and point arrays of the input.
   vtkPolyData* body() const { return this->Body; }
   const MeshDefects& defects() const { return this->Found; }
 
-  /// Number of points that are represented by another point.
+  /// Returns the number of points that are represented by another point.
   vtkIdType joinedPoints() const { return static_cast<vtkIdType>(this->Found.joinedPoints); }
-  /// Returns the first point at the place of `point`.
+  /// Returns the index of the first point at the same position as `point`.
   vtkIdType firstAt(vtkIdType point) const
   {
     return this->First.empty() ? point : this->First[static_cast<std::size_t>(point)];
@@ -57,23 +59,25 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Body;
-  /// First point at the place of each point; empty: no points coincide.
+  /// For each point, the index of the first point at the same position. The list is empty if no
+  /// points coincide.
   std::vector<std::int32_t> First;
   MeshDefects Found;
   std::string Fault;
 };
 
-/// Whether this process has the whole body or a piece.
+/// Returns whether this process has the whole body or a piece of a body.
 SoundBody::Extent extentOn(const Ranks& ranks);
 
-/// Turns the triangles of a surface outward and removes repeated ones. The remaining triangles keep
-/// their order, and all points remain. A surface without such defects is not replaced. `found`
-/// receives the defects. Returns "" or an error message.
+/// Reverses the triangles of a surface that wind inward, and removes repeated triangles. The
+/// remaining triangles keep their order, and all points remain. A surface without such defects is
+/// not replaced. `found` receives the defects. Returns "" or an error message.
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found);
 
-/// Describes the defects and the treatment of each, with their numbers; "" for a sound mesh. Open
-/// borders and joined points are not defects: files split a surface for its texture or normals.
+/// Returns a description of the defects and of the treatment of each, with numbers; "" for a sound
+/// mesh. Open borders and joined points are not defects, because many files split a surface for its
+/// texture or normals.
 PALPATERESPONSE_EXPORT std::string describeDefects(const MeshDefects& found);
 } // namespace palpate
 

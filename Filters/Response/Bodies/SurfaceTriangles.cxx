@@ -28,8 +28,8 @@ namespace palpate
 namespace
 {
 /**
- * Finds cells that refer to missing points, which would crash the filters. Returns an error message
- * or "".
+ * Finds cells that refer to missing points. Such cells would crash the filters. Returns an error
+ * message or "".
  */
 std::string cellFault(vtkDataSet* data)
 {
@@ -60,7 +60,7 @@ std::string cellFault(vtkDataSet* data)
   return "";
 }
 
-/** Merges exactly coincident points. */
+/** Returns the surface with exactly coincident points merged. */
 vtkSmartPointer<vtkPolyData> mergedPoints(vtkPolyData* surface)
 {
   vtkNew<vtkStaticCleanPolyData> clean;
@@ -86,10 +86,13 @@ vtkSmartPointer<vtkPolyData> appendSurfaces(const std::vector<vtkDataSet*>& piec
   return mergedPoints(all->GetOutput());
 }
 
-/** Moves points of several pieces that differ by rounding only to one common place. */
+/**
+ * Finds points of several pieces whose positions differ only by rounding, and moves them to a
+ * common position.
+ */
 void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& pieces)
 {
-  constexpr double rounding = 1e-5; // fraction of the diagonal
+  constexpr double rounding = 1e-5; // tolerance as a fraction of the diagonal
   vtkNew<vtkAppendFilter> all;
   for (vtkUnstructuredGrid* piece : pieces)
   {
@@ -116,7 +119,10 @@ void joinRoundedPoints(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& 
   }
 }
 
-/** Appends volumes without ghost cells. Separate surfaces would have walls at the seams. */
+/**
+ * Appends volumes without ghost cells. The volumes are joined before extraction, because separately
+ * extracted surfaces would have walls at the seams.
+ */
 vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*>& given)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> pieces;
@@ -133,7 +139,7 @@ vtkSmartPointer<vtkUnstructuredGrid> appendVolumes(const std::vector<vtkDataSet*
   }
   joinRoundedPoints(pieces);
   vtkNew<vtkAppendFilter> all;
-  all->MergePointsOn(); // merges points only if no cell and no point is marked as a ghost
+  all->MergePointsOn(); // this merges points only if no cell and no point is marked as a ghost
   for (vtkUnstructuredGrid* piece : pieces)
   {
     all->AddInputData(piece);
@@ -154,7 +160,7 @@ vtkSmartPointer<vtkPolyData> withUsedPoints(vtkPolyData* surface)
   return clean->GetOutput();
 }
 
-/** Returns a message that advises how to get triangles from data that have none. */
+/** Returns the advice in the error message for data that have no triangles. */
 std::string triangleAdvice(const std::vector<vtkDataSet*>& pieces)
 {
   vtkIdType points = 0;
@@ -235,7 +241,8 @@ void cutSurface(
       std::swap(lost.notFinite, found.notFinite);
       made.loss = describeDefects(lost);
     }
-    found.degenerate = found.nonManifoldEdges = 0; // not reported, because they remain unchanged
+    // These defects are not reported, because they remain unchanged.
+    found.degenerate = found.nonManifoldEdges = 0;
     const std::string changes = describeDefects(found);
     if (!changes.empty())
     {

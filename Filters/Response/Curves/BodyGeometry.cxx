@@ -27,7 +27,8 @@ constexpr std::size_t MostGeometries = 4;
 constexpr std::size_t MostBytesOfGeometries = std::size_t{ 128 } << 20;
 constexpr std::size_t BytesPerPoint = 20;
 
-/// Returns the active point normals of the body, 3 numbers per point. Empty if the body has none.
+/// Returns the active point normals of the body, 3 numbers per point. Returns an empty list if the
+/// body has none.
 std::vector<double> storedNormals(vtkPolyData* body)
 {
   vtkDataArray* stored = body->GetPointData()->GetNormals();
@@ -65,7 +66,9 @@ std::shared_ptr<const BodyGeometry> makeGeometry(vtkPolyData* body, const BodySe
 std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam)
 {
   const bool hasOtherCells = body->GetNumberOfVerts() + body->GetNumberOfLines() > 0;
-  if (!seam.ranks().areAlone() || hasOtherCells) // the cache key contains triangles only
+  // Only whole bodies are cached. Bodies with other cells are not cached, because the key of the
+  // cache contains only triangles.
+  if (!seam.ranks().areAlone() || hasOtherCells)
   {
     return makeGeometry(body, seam);
   }

@@ -29,8 +29,8 @@ namespace palpate
 {
 namespace
 {
-/// All pieces as one surface, joined at their seams. `own`: index of each point of this rank's
-/// piece.
+/// All pieces as one surface, joined at their seams. `own` contains, for each point of this rank's
+/// piece, its index in this surface.
 struct WholeSurface
 {
   std::vector<double> points;
@@ -87,10 +87,10 @@ WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
   return whole;
 }
 
-/// Key of the cache of shapes: the input from which a shape is made.
+/// Key of the cache of shapes. It describes the input from which a shape is computed.
 struct ShapeKey
 {
-  std::array<std::size_t, 3> surface; ///< hashes of this rank's piece
+  std::array<std::size_t, 3> surface; ///< hashes that identify this rank's piece
   double radius;
   bool hasEdges;
   bool isOfFaces; ///< whether the curvature is computed from the faces, without sharp edges
@@ -102,8 +102,8 @@ struct ShapeKey
   }
 };
 
-/// A surface, with those of its data that do not depend on the contact radius. The data are
-/// computed when first used.
+/// A surface, and the data of the surface that do not depend on the contact radius. The data are
+/// computed when they are first used.
 class SharedSurface
 {
 public:
@@ -137,10 +137,11 @@ public:
     return *this->Edges;
   }
 
-  /// Upper limit of the memory, with all data computed.
+  /// Returns an upper limit of the memory in bytes, if all data are computed.
   std::size_t bytes() const
   {
-    constexpr std::size_t perPoint = 310; // the forms of the faces copy points and normals
+    // This includes the copies of points and normals for the curvature of the faces.
+    constexpr std::size_t perPoint = 310;
     constexpr std::size_t perTriangle = 145;
     return perPoint * this->Whole.points.size() / 3 +
       perTriangle * this->Whole.triangles.size() / 3;
@@ -202,7 +203,8 @@ std::shared_ptr<const BodyShape> findShape(
     });
   if (wantsEdges)
   {
-    // Distance in contact radii. At this distance an edge reduces the force by 2 %.
+    // Largest distance of an edge, in contact radii. An edge at this distance reduces the force by
+    // 2 %.
     constexpr double reach = 40.0;
     made->edges = std::make_unique<EdgeDistance>(shared->edges(), a, reach * a);
   }

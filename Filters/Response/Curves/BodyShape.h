@@ -23,7 +23,8 @@ struct BodyShape
 {
   std::unique_ptr<SurfaceCurvature> curvature; ///< curvature of the whole body
   std::unique_ptr<EdgeDistance> edges;
-  /// Index of each point of the piece in the whole body. Empty: the piece has all points, in order.
+  /// For each point of the piece, its index in the whole body. The list is empty if the piece has
+  /// all points, in order.
   std::vector<std::int32_t> inWhole;
 
   SpotCurvature curvatureAt(std::size_t i) const { return this->curvature->at(this->place(i)); }
@@ -35,23 +36,24 @@ struct BodyShape
 };
 
 /// Finds the curvature and the edges on the scale of a contact of radius `a` (mm). The curvature is
-/// needed by a law or its error, the edges by the error only. `normals`: three floats per point.
-/// Never returns null. Collective; each rank temporarily stores the whole body.
+/// needed by a law or by the error of a law. The edges are needed only by the error. `normals` has
+/// three floats per point. Never returns null. Collective. Each rank temporarily stores the whole
+/// body.
 ///
-/// A shape does not depend on the material. So a cache of the process keeps recent shapes by
-/// content: 28 bytes per point, up to 128 MB and 16 shapes. For the last two whole bodies another
-/// cache keeps the data that shapes of all radii share: about 500 bytes per point, up to 512 MB.
-/// Thread-safe.
+/// A shape does not depend on the material. Therefore a cache of the process keeps recent shapes.
+/// Its key is the content of the body. It takes 28 bytes per point, and is limited to 128 MB and 16
+/// shapes. A second cache keeps the data that shapes of all radii share, for the last two whole
+/// bodies. It takes about 500 bytes per point, up to 512 MB. Thread-safe.
 std::shared_ptr<const BodyShape> findShape(
   vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// Lengths of the sides of the bounding box of the whole body, mm.
 struct BodyLengths
 {
-  double least;  ///< smallest side: upper limit of the depth of the body
-  double middle; ///< middle side: a much wider circle does not fit on the body
+  double least;  ///< smallest side, an upper limit of the depth of the body
+  double middle; ///< middle side; a much wider circle does not fit on the body
 };
-/// Returns the lengths for the whole body. Collective.
+/// Returns the lengths of the bounding box of the whole body. Collective.
 BodyLengths lengthsOf(vtkPolyData* body, const Ranks& ranks);
 } // namespace palpate
 

@@ -46,7 +46,7 @@ struct Triangle
     const double v[3] = { p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2] };
     const double c[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
       u[0] * v[1] - u[1] * v[0] };
-    return c[0] * c[0] + c[1] * c[1] + c[2] * c[2] > 0.0; // also false for NaN
+    return c[0] * c[0] + c[1] * c[1] + c[2] * c[2] > 0.0; // this is also false for NaN
   }
 
   float curvature(std::size_t i, std::size_t j) const

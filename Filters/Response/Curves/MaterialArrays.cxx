@@ -42,12 +42,12 @@ MaterialArray arrayToProcess(
     : nullptr;
   if (!which || !which->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // no array was set: the constant property is used
+    return {}; // no array was set, so the constant property is used
   }
   const std::string name = which->Has(vtkDataObject::FIELD_NAME())
     ? which->Get(vtkDataObject::FIELD_NAME())
     : "active attribute";
-  return name.empty() ? MaterialArray{} // an empty name removes the array
+  return name.empty() ? MaterialArray{} // an empty name means that no array is requested
                       : MaterialArray{ name, find(index) };
 }
 

@@ -25,13 +25,14 @@ namespace palpate
 {
 namespace
 {
-/// If the length of a vector differs from 1 only by float rounding, the vector is kept unchanged.
-/// So normals that are read from a file keep their bits.
+/// If the length of a vector differs from 1 by less than this value, which is float rounding, the
+/// vector is kept unchanged. Therefore normals that were read from a file are bitwise preserved.
 constexpr double UnitTolerance = 3e-7;
 
-constexpr double NormalTolerance = 0.035; // rad, 2 degrees
+constexpr double NormalTolerance = 0.035; // 2 degrees, in rad
 
-/// Writes the unit vector along (x, y, z), or zero if its length is 0. Returns the status.
+/// Stores the unit vector along (x, y, z), or zero if the length of the vector is 0. Returns the
+/// status of the point.
 ResponseStatus storeUnit(double x, double y, double z, float* normal)
 {
   double length = std::sqrt(x * x + y * y + z * z);
@@ -55,9 +56,9 @@ double angleBetween(const Vector3& one, const Vector3& other)
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// Whether the stored normals belong to the triangles. Each stored normal must differ from the
-/// computed normal by at most 2 degrees plus the largest angle to a neighbour's computed normal.
-/// Exact normals can differ from computed ones by that much.
+/// Returns whether the stored normals belong to the triangles. Each stored normal must differ from
+/// the computed normal by at most 2 degrees plus the largest angle between the computed normals of
+/// the point and a neighbour. Exact normals can differ from computed normals by this angle.
 bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* computed)
 {
   const auto at = [computed](std::int32_t i)
@@ -89,7 +90,7 @@ bool areOfTriangles(vtkPolyData* body, vtkDataArray* stored, const float* comput
   return true;
 }
 
-/// Sets status and normal of points whose coordinates are not finite.
+/// Sets the status and the normal of points whose coordinates are not finite.
 void markNotFinite(vtkPoints* points, float* normals, unsigned char* status)
 {
   vtkSMPTools::For(0, points->GetNumberOfPoints(),
@@ -159,7 +160,8 @@ std::string fillPointNormals(
   std::string wrongSide;
   if (seam.ranks().areAlone())
   {
-    computeNormals(body, normal, state); // never fails, because a SoundBody does not wind inward
+    // This call never fails, because a SoundBody does not wind inward.
+    computeNormals(body, normal, state);
   }
   else
   {

@@ -10,13 +10,13 @@ namespace palpate
 {
 class SoundBody;
 
-/// Index of the array to process with the mask of pressed points: nonzero at points that get a
-/// response.
+/// Index of the array to process that contains the mask of pressed points. The mask is nonzero at
+/// points that get a response.
 constexpr int PressedArrayIndex = 6;
 
-/// Sets the status to OutOfReach at the points that get no response. A point that represents other
-/// points at its place gets a response if one of them is in the mask. Returns the number of places
-/// that get no response. Without an array all points get a response.
+/// Sets the status to OutOfReach at the points that get no response. A point may represent other
+/// points at the same position. It gets a response if one of these points is in the mask. Returns
+/// the number of positions that get no response. Without an array, all points get a response.
 vtkIdType leaveOutOthers(
   const MaterialArray& pressed, const SoundBody& sound, vtkUnsignedCharArray* status);
 } // namespace palpate

@@ -13,8 +13,9 @@
 
 namespace palpate
 {
-/// List of the branches of a relaxation, each with strength and time (s). The user of a filter sets
-/// them one by one. Any number of branches and any values are stored; fillSeries() checks them.
+/// List of the branches of a relaxation, each with a strength and a time (s). The user of a filter
+/// sets the branches one by one. The list accepts any number of branches and any values;
+/// fillSeries() checks them.
 class RelaxationList
 {
 public:
@@ -35,7 +36,7 @@ public:
     this->Branches[static_cast<std::size_t>(place)] = next;
     return true;
   }
-  /// Removes all branches. Returns whether the list had any.
+  /// Removes all branches. Returns whether there were any branches.
   bool clear()
   {
     const bool had = !this->Branches.empty();
@@ -44,7 +45,7 @@ public:
   }
 
   int count() const { return static_cast<int>(this->Branches.size()); }
-  /// Strength of a branch; 0 if the branch does not exist.
+  /// Returns the strength of a branch; 0 if the branch does not exist.
   double strength(int place) const { return this->has(place) ? this->at(place)[0] : 0.0; }
   double seconds(int place) const { return this->has(place) ? this->at(place)[1] : 0.0; }
 
@@ -62,7 +63,7 @@ public:
     return some;
   }
 
-  /// Fills the series. Returns "" or an error that names the branch.
+  /// Copies the branches to the series. Returns "" or an error that names an invalid branch.
   std::string fillSeries(PronySeries& series) const
   {
     series = {};

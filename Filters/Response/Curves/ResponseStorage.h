@@ -28,10 +28,10 @@ struct PALPATERESPONSE_EXPORT ResponseStorage
   vtkNew<vtkUnsignedCharArray> Status;
   vtkNew<vtkUnsignedCharArray> LimitReached;
 
-  vtkSmartPointer<vtkFloatArray> Error; ///< null: the errors are not stored
+  vtkSmartPointer<vtkFloatArray> Error; ///< null if the errors are not stored
 
   ResponseStorage(const std::string& name, vtkIdType points, int samples, bool keepsError);
-  /// `normals`: 3 numbers per point; `status`: one number per point (fillPointNormals).
+  /// `normals` has 3 numbers per point, and `status` one number per point (fillPointNormals).
   void setNormals(const std::vector<float>& normals, const std::vector<unsigned char>& status);
   ResponseSpans spans();
   void attach(vtkPolyData* output);

@@ -14,8 +14,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Interpolates the errors at the samples of a curve to a depth (mm). The interpolation is linear
-/// in √δ between samples and constant below the first sample. Returns NaN beyond the range (mm).
+/// Returns the error at a depth (mm), interpolated between the errors at the samples of a curve.
+/// The interpolation is linear in √δ between samples and constant below the first sample. Returns
+/// NaN if the depth is beyond the range (mm).
 PALPATERESPONSE_EXPORT double errorBetween(
   const float* errors, int samples, double range, double depth);
 
@@ -27,10 +28,10 @@ public:
   StoredError(vtkPolyData* body, const std::string& responseName);
 
   bool isKept() const { return this->Errors != nullptr; }
-  /// Error of a point's force at a depth (mm). NaN if the response stores no error, or beyond the
-  /// range.
+  /// Returns the error of a point's force at a depth (mm). Returns NaN if the response stores no
+  /// error, or if the depth is beyond the range.
   double at(vtkIdType point, double depth) const;
-  /// Error of the force at a place on a triangle. `cell`: the triangle; `point`: a point on it, mm.
+  /// Returns the error of the force at `point` (mm) on the triangle `cell`.
   double at(vtkIdType cell, const double* point, double depth) const;
 
 private:
@@ -40,14 +41,15 @@ private:
 };
 
 /// Adds the array RelativeError (double) to tips with contacts (ContactCell, ContactPoint,
-/// Deflection). It is the error of the force on each tip, 0 without contact, NaN if unknown. Adds
-/// nothing if the response stores no error. `others` is the error due to interacting contacts, one
-/// number per tip, or empty. It is added to RelativeError.
+/// Deflection). RelativeError is the relative error of the force on each tip. It is 0 without
+/// contact and NaN if the error is unknown. Adds nothing if the response stores no error. `others`
+/// contains the error due to interacting contacts, one number per tip, or is empty. It is added to
+/// RelativeError.
 PALPATERESPONSE_EXPORT void addContactErrors(vtkPolyData* body, const std::string& responseName,
   vtkPolyData* tips, const std::vector<double>& others = {});
 
-/// Returns the error as a text that follows a force: " ± 4 %". From 99.5 % upward, the text says
-/// that the error has no bound. Returns "" for NaN.
+/// Returns the error as a text that follows a force, for example " ± 4 %". If the error is at least
+/// 99.5 %, the text states that the error has no bound. Returns "" for NaN.
 PALPATERESPONSE_EXPORT std::string errorInWords(double relativeError);
 } // namespace palpate
 

@@ -93,8 +93,8 @@ vtkSmartPointer<vtkPolyData> asPolyData(const FileMesh& mesh)
   return made;
 }
 
-/// Merges corners at the same place into one point. Leaves out triangles with two corners at the
-/// same place.
+/// Merges corners at the same position into one point. Leaves out triangles that have two corners
+/// at the same position.
 vtkSmartPointer<vtkPolyData> mergedCorners(vtkPolyData* facets)
 {
   vtkNew<vtkPoints> points;
@@ -148,8 +148,8 @@ void readStlFile(const std::string& path, BodyData& result)
   }
 }
 
-/// Upper limit of the memory for the content of a file, bytes. DEFLATE compresses by a factor of at
-/// most 1032.
+/// Returns an upper limit of the memory for the content of a file, in bytes. DEFLATE compresses by
+/// a factor of at most 1032.
 double memoryFor(const std::string& path)
 {
   constexpr double Least = 2.5e8;
@@ -158,8 +158,8 @@ double memoryFor(const std::string& path)
   return Least + Most * static_cast<double>(std::filesystem::file_size(path, ignored));
 }
 
-/// Replaces unprintable characters, because error texts of Palpate and VTK may quote any content of
-/// the file.
+/// Replaces unprintable characters. Error messages of Palpate and VTK may quote any content of the
+/// file.
 std::string printable(std::string text)
 {
   std::replace_if(
@@ -172,8 +172,8 @@ std::string noFault()
   return "";
 }
 
-/// Reads the file with a VTK reader, if the reader did not crash in the trial run, and if `fault`
-/// finds no error in the information about the content.
+/// Reads the file with a VTK reader. Does not read it if the reader crashed in the trial run, or if
+/// `fault` finds an error in the reader's information about the content.
 void update(vtkAlgorithm* reader, const std::string& path, BodyData& result,
   const std::function<std::string()>& fault = noFault)
 {
@@ -268,7 +268,8 @@ const Format formats[] = {
   { ".nii.gz", readNiftiFile },
 };
 
-/// Finds the format by the file name extension, in upper or lower case; null if unknown.
+/// Returns the format that belongs to the file name extension, in upper or lower case. Returns null
+/// if the extension is unknown.
 const Format* findFormat(std::string path)
 {
   std::transform(path.begin(), path.end(), path.begin(),

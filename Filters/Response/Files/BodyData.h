@@ -10,19 +10,21 @@
 
 namespace palpate
 {
-/// The content of a file with a body or a scan, as stored in the file.
+/// The content of a file with a body or a scan, with the values that the file stores.
 struct BodyData
 {
-  vtkSmartPointer<vtkDataSet> data; ///< null after an error
+  vtkSmartPointer<vtkDataSet> data; ///< content of the file; null after an error
   std::vector<std::string> notes;   ///< changes to the content; each note is part of a sentence
-  std::string fault;                ///< error message without the name of the file; "": no error
+  /// Error message without the name of the file; "" if there is no error.
+  std::string fault;
 };
 
-/// Reads a file. Its name determines the kind; see vtkBodyFileReader. Never throws or crashes, for
-/// any content. Replaces VTK's output window while it runs, so call it from one thread only.
+/// Reads a file. The end of the file name determines the format; see vtkBodyFileReader. Never
+/// throws an exception and never crashes, for any content. Replaces VTK's output window during the
+/// call; therefore call it from one thread only.
 BodyData readBodyData(const std::string& path);
 
-/// The file name extensions that can be read, ".vtp .stl ...".
+/// Returns the file name extensions that can be read, as the text ".vtp .stl ...".
 std::string bodyFileExtensions();
 } // namespace palpate
 

@@ -33,7 +33,7 @@ public:
     const std::string all = text;
     if (all.find("Error reading InformationKey") != std::string::npos)
     {
-      return; // an array contains NaN; only its range is lost
+      return; // an array contains NaN; only the range of its values is missing
     }
     this->failed = true;
     if (this->error.empty() &&
@@ -76,8 +76,10 @@ private:
   }
 
   /**
-   * Extracts the message from the text "ERROR: In file, line n\nclass (address): message\n\n". VTK
-   * passes only the whole text.
+   * Extracts the message from the text "ERROR: In file, line n
+   * class (address): message
+   *
+   * ", because VTK passes only the whole text.
    */
   static std::string messageOf(const std::string& text)
   {
@@ -99,7 +101,10 @@ private:
   std::vector<std::string> different;
 };
 
-/** During its lifetime, VTK's output goes to a CollectingWindow instead of the console. */
+/**
+ * During the lifetime of this object, VTK's output goes to a CollectingWindow instead of the
+ * console.
+ */
 struct QuietScope
 {
   vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();

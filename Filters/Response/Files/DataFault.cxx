@@ -64,7 +64,7 @@ std::string cellsFault(vtkCellArray* cells, vtkIdType points)
     : "";
 }
 
-/// Returns the number of points of a cell of this type; 0 if any number is allowed.
+/// Returns the number of points of a cell of the type `type`; 0 if any number is allowed.
 vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
 {
   const auto found = known.find(type);
@@ -76,8 +76,8 @@ vtkIdType pointsOf(int type, std::map<int, vtkIdType>& known)
   return known[type] = cell ? cell->GetNumberOfPoints() : -1;
 }
 
-/// Checks polyhedra and cells of higher order by a trial run of the surface filter. Only the
-/// classes of these cells define which content is valid.
+/// Checks polyhedra and cells of higher order by a trial run of the surface filter, because their
+/// valid content is defined only by their VTK classes.
 std::string facesFault(vtkUnstructuredGrid* grid, double memory)
 {
   vtkNew<vtkDataSetSurfaceFilter> surface;

@@ -8,10 +8,11 @@ class vtkDataSet;
 
 namespace palpate
 {
-/// Finds damage in a data set from a file that would make a filter read outside its arrays. Returns
-/// an error message or "". Damage is: an array whose length differs from the number of points or
-/// cells; a cell of unknown type or with a wrong number of points; an image whose voxels do not
-/// match its size. `memory`: number of bytes that the inspection of the cells may use.
+/// Finds damage in a data set from a file that would make a filter read outside the arrays of the
+/// data set. Returns an error message or "". These are damage: an array whose length differs from
+/// the number of points or cells; a cell of unknown type or with a wrong number of points; and an
+/// image whose number of voxels does not match its size. `memory` is the number of bytes that the
+/// inspection of the cells may use.
 std::string dataFault(vtkDataSet* data, double memory);
 } // namespace palpate
 

@@ -24,15 +24,17 @@ namespace palpate
 {
 namespace
 {
-constexpr double MostDeflated = 1032.0; // largest number of bytes per byte of a gzip file
-/// Smallest volume spanned by the three axes, as a fraction of the box with the same side lengths.
+// Largest ratio of the size of the content to the size of a gzip file.
+constexpr double MostDeflated = 1032.0;
+/// Smallest volume that the three axes may span, as a fraction of the volume of a box with the same
+/// side lengths.
 constexpr double SmallestVolume = 1e-6;
 
 using Affine = Eigen::Matrix<double, 3, 4>; // maps voxel indices to the coordinates of the file
 
 bool isCompressed(const std::string& path)
 {
-  // True for ".gz", false for ".nii".
+  // The path ends in ".gz" or ".nii", so its last letter distinguishes them.
   return path.size() > 2 && (path.back() == 'z' || path.back() == 'Z');
 }
 
@@ -46,7 +48,7 @@ Affine sform(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// Returns the lengths of a voxel along the axes; 1 if the header does not state them.
+/// Returns the side lengths of a voxel; 1 if the header does not state them.
 Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
 {
   Eigen::Vector3d sides;
@@ -58,7 +60,8 @@ Eigen::Vector3d voxelSides(vtkNIFTIImageHeader* header)
   return sides;
 }
 
-/// Returns the rotation by the quaternion. Its first component follows from the other three.
+/// Returns the rotation that the quaternion of the header describes. The header stores three
+/// components. The first component of the quaternion follows from them.
 Affine qform(vtkNIFTIImageHeader* header)
 {
   const Eigen::Vector3d vector(header->GetQuaternB(), header->GetQuaternC(), header->GetQuaternD());
@@ -80,7 +83,7 @@ Affine voxelAxes(vtkNIFTIImageHeader* header)
   return made;
 }
 
-/// Returns the millimetres per length unit of the file.
+/// Returns the number of millimetres per length unit of the file.
 double unitOf(vtkNIFTIImageHeader* header)
 {
   constexpr int SpatialBits = 7;
@@ -90,7 +93,8 @@ double unitOf(vtkNIFTIImageHeader* header)
   return unit == Metre ? 1000.0 : unit == Micrometre ? 0.001 : 1.0;
 }
 
-/// Whether the axes span a volume. If they do not, no point has a position in the image.
+/// Returns whether the axes span a volume. If they do not, points have no unique position in the
+/// image.
 bool spansVolume(const Affine& affine)
 {
   const Eigen::Matrix3d axes = affine.leftCols<3>();
@@ -199,7 +203,7 @@ std::string applyNiftiHeader(
     return joined("the ", name, " of its header does not span a volume");
   }
   if (reader->GetQFac() < 0.0)
-  { // the reader has reversed the order of the slices
+  { // The reader has reversed the order of the slices.
     affine.col(3) += (image->GetDimensions()[2] - 1) * affine.col(2);
     affine.col(2) *= -1.0;
   }
@@ -216,7 +220,7 @@ std::string applyNiftiHeader(
   const double intercept = reader->GetRescaleIntercept();
   if (slope == 0.0 || (slope == 1.0 && intercept == 0.0))
   {
-    return ""; // a slope of 0 means that the header has no scaling
+    return ""; // a slope of 0 means that the header defines no scaling
   }
   if (!std::isfinite(slope) || !std::isfinite(intercept))
   {

@@ -38,7 +38,7 @@ protected:
   }
 };
 
-/** A vtkXMLReader that uses the PromptParser. */
+/** A vtkXMLReader that parses with PromptParser. */
 template <class Reader>
 class PromptReader : public Reader
 {

@@ -22,7 +22,7 @@ namespace
 constexpr char Finished = 1;
 constexpr char OutOfMemory = 2;
 
-/// Bytes of address space that the process uses.
+/// Returns the number of bytes of address space that the process uses.
 double usedAddresses()
 {
   double pages = 0.0;
@@ -55,7 +55,8 @@ void prepareToCrash()
     std::signal(signal, SIG_DFL);
   }
   std::set_terminate([] { std::abort(); });
-  vtkSMPTools::SetBackend("Sequential"); // the copy has no other threads
+  // Sequential, because the copy of the process has no other threads.
+  vtkSMPTools::SetBackend("Sequential");
 }
 } // namespace
 
@@ -80,7 +81,7 @@ std::string crashOf(const std::function<void()>& work, double memory)
     {
       end = OutOfMemory;
     }
-    catch (...) // the work will throw the same exception in the calling process
+    catch (...) // the same exception will occur in the calling process
     {
     }
     _exit(write(pipe[1], &end, 1) == 1 ? 0 : 1);

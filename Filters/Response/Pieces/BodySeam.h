@@ -16,12 +16,13 @@ namespace palpate
  * The seam of a body on several ranks: the points where its pieces meet.
  *
  * Points of different ranks are one seam point under three conditions: both are on an open border
- * of their piece; they are at the same place to four units in the last place of a float coordinate
- * (each piece may have computed it separately); and, if the body has point normals, the normals are
- * the same. Points of one piece are never merged.
+ * of their piece; their positions agree to within four units in the last place of a float
+ * coordinate, because each piece may have computed the coordinate separately; and, if the body has
+ * point normals, the normals are equal. Points of one piece are never merged.
  *
- * All ranks use the same numbers for the seam points. A single rank has no seam and no cost.
- * Otherwise the cost is O(n) per rank, and each rank stores the seam points of all ranks.
+ * All ranks use the same numbers for the seam points. With a single rank there is no seam and no
+ * cost. Otherwise the cost is O(n) per rank for n points, and each rank stores the seam points of
+ * all ranks.
  */
 class BodySeam
 {
@@ -33,32 +34,35 @@ public:
     std::int32_t seam;
   };
 
-  /// The seam points of all ranks, as found by the module Pieces.
+  /// The seam points of all ranks. The module Pieces finds them.
   struct Points
   {
     std::size_t size = 0;
-    std::vector<Place> places; ///< seam points of this rank, in ascending order of the points
-    std::vector<std::vector<std::int32_t>> seams; ///< seam numbers of the places of each rank
+    /// Points of this rank on the seam, in ascending order of the points.
+    std::vector<Place> places;
+    /// For each rank, the numbers of its points in the numbering of the seam.
+    std::vector<std::vector<std::int32_t>> seams;
     /// Number of border edges that coincide with an edge of another piece in the opposite
     /// direction.
     std::size_t joinedEdges = 0;
   };
 
-  /// `body` is this rank's piece; it has triangles only and may be empty. With several ranks, call
+  /// `body` is this rank's piece. It has only triangles and may be empty. With several ranks, call
   /// missingPieces first. Collective.
   BodySeam(const Ranks& ranks, vtkPolyData* body);
 
   const Ranks& ranks() const noexcept { return this->Among; }
-  /// The seam points of this rank, in ascending order of the points.
+  /// Returns the points of this rank on the seam, in ascending order of the points.
   const std::vector<Place>& places() const noexcept { return this->Found.places; }
-  /// Number of border edges of all ranks that coincide with an edge of another piece in the
-  /// opposite direction.
+  /// Returns the number of border edges of all ranks that coincide with an edge of another piece in
+  /// the opposite direction.
   std::size_t joinedEdges() const noexcept { return this->Found.joinedEdges; }
 
   /**
    * Combines values of the seam points over all ranks. `own` and the result have one value for each
    * of places(). The result is combine(...combine(start, first)..., last) over the values of all
-   * ranks, in the order of the ranks. So the bits are the same on all ranks. Collective.
+   * ranks, in the order of the ranks. Therefore the results are bitwise equal on all ranks.
+   * Collective.
    */
   template <class T, class Combine>
   std::vector<T> combined(const std::vector<T>& own, const T& start, const Combine& combine) const

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Reads the contact of the tip. Returns "" or an error that names the missing array.
+/// Reads the contact of the tip `index`. Returns "" or an error that names the missing array.
 std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, ChosenTip& chosen)
 {
   vtkPointData* data = tips->GetPointData();
@@ -53,7 +53,7 @@ std::string readTip(vtkPolyData* tips, vtkIdType index, const Ranks& ranks, Chos
   return {};
 }
 
-/// Copies the data from the rank that has read them to all ranks.
+/// Copies the data to all ranks from the rank that has read them.
 void broadcast(const Ranks& ranks, bool isOwn, ChosenTip& chosen)
 {
   using Record = std::array<double, 10>;

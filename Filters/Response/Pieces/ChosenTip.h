@@ -12,16 +12,17 @@ namespace palpate
 {
 class Ranks;
 
-/// The contact of one tip that is chosen among the tips of all ranks.
+/// The contact of the tip that was chosen among the tips of all ranks.
 struct ChosenTip
 {
-  FieldContact contact; ///< the contact; its cell is -1 without contact or without tips
-  int rank = 0;         ///< rank that has the cell
+  FieldContact contact; ///< the contact; its cell is -1 if there is no contact or no tip
+  int rank = 0;         ///< number of the rank that has the cell
 };
 
 /**
- * Finds tip number `index` (-1: the last) in the outputs of vtkToolContactProbe on all ranks. Tips
- * are counted rank by rank. Collective. Returns "" or an error message, the same on all ranks.
+ * Finds the tip number `index` in the outputs of vtkToolContactProbe on all ranks. If `index` is
+ * -1, it finds the last tip. Tips are counted rank by rank. Collective. Returns "" or an error
+ * message, the same on all ranks.
  */
 std::string chooseTip(const Ranks& ranks, vtkPolyData* tips, vtkIdType index, ChosenTip& chosen);
 } // namespace palpate

@@ -24,8 +24,8 @@ struct PressedTips
 {
   vtkPolyData* tips = nullptr;
   const ContactSettings& settings;
-  double indentation = 0.0; ///< mm
-  /// The kernel for one rank. It presses the tips into a part of the body.
+  double indentation = 0.0; ///< distance by which each tip is first moved inward, mm
+  /// Presses the tips into a part of the body with the kernel for a single rank.
   std::function<void(const ContactBody& part, const TipVisitor& visit)> press;
 };
 
@@ -34,18 +34,18 @@ struct PieceTouch
 {
   Vector3 at = Vector3::Zero(); ///< position of the tip after the indentation
   Contact contact;              ///< the contact; its triangle is a cell of the piece of `rank`
-  int rank = -1;                ///< rank that has the touched cell; -1: no contact
+  int rank = -1;                ///< rank that has the touched cell; -1 without contact
 };
 
 /**
- * Functions of libpalpatePieces.so. They are needed only if a body is divided among several
- * processes. No library links the module; the first filter with more than one process loads it. All
- * functions except makePiece are collective.
+ * Functions of libpalpatePieces.so. These functions are needed only if a body is divided among
+ * several processes. No library links the module. The first filter that runs on more than one
+ * process loads it. All functions except makePiece are collective.
  */
 struct PiecesModule : ModuleTable
 {
   BodySeam::Points (*findSeam)(const Ranks& ranks, vtkPolyData* body);
-  /// `body`: this rank's piece with the response, or empty.
+  /// Creates the piece of this rank. `body` is this rank's piece with the response, or empty.
   std::shared_ptr<const BodyPiece> (*makePiece)(vtkPolyData* body, const BodySeam& seam);
   /// Computes the contacts of this rank's tips. `defects` receives a description of the defects of
   /// the mesh around the tips. Returns "" or an error message, the same on all ranks.
@@ -57,15 +57,16 @@ struct PiecesModule : ModuleTable
 struct LoadedPieces
 {
   const PiecesModule* module = nullptr;
-  std::string fault; ///< empty if the module is loaded
+  std::string fault; ///< reason why the module is missing; empty if the module is loaded
 };
 
-/// Loads the module at the first call. Later calls return the same result. Any thread may call it.
+/// Loads the module at the first call. Later calls return the same result. Any thread may call the
+/// function.
 const LoadedPieces& loadedPieces();
 
 /// Returns the reason why several ranks cannot share a body, with the name of the missing module.
-/// Returns "" if they can share it, or if there is only one rank. Call it before making a BodySeam.
-/// Collective.
+/// Returns "" if the module is loaded, or if there is only one rank. Call the function before a
+/// BodySeam is constructed. Collective.
 std::string missingPieces(const Ranks& ranks);
 } // namespace palpate
 

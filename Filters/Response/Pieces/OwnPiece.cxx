@@ -24,7 +24,7 @@ vtkSmartPointer<vtkPolyData> ownPiece(vtkPolyData* input, const Ranks& ranks)
     if (input->HasAnyGhostCells())
     {
       piece->RemoveGhostCells();
-      vtkNew<vtkCleanPolyData> unused; // removes points that belonged to ghost cells only
+      vtkNew<vtkCleanPolyData> unused; // removes points that belonged only to ghost cells
       unused->PointMergingOff();
       unused->ConvertLinesToPointsOff();
       unused->ConvertPolysToLinesOff();

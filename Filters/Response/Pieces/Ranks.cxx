@@ -66,7 +66,8 @@ std::vector<char> Ranks::gatherBytes(
     total += each;
     ends.push_back(static_cast<std::size_t>(total));
   }
-  std::vector<char> all(static_cast<std::size_t>(total) + 1); // never empty, so data() is not null
+  // The size is at least 1, so that data() is not null.
+  std::vector<char> all(static_cast<std::size_t>(total) + 1);
   const char nothing = 0;
   this->Controller->AllGatherV(
     own ? own : &nothing, all.data(), length, lengths.data(), offsets.data());

@@ -20,19 +20,19 @@ namespace palpate
  * The processes among which a body is divided. Each process has a piece of the body.
  *
  * All calls except own, count and areAlone are collective: every rank must make them, in the same
- * order. With one rank, or without a controller, they return their argument at no cost.
+ * order. With one rank, or without a controller, these calls return their argument at no cost.
  */
 class PALPATERESPONSE_EXPORT Ranks
 {
 public:
-  /// `controller` may be null, which means a single rank. It must outlive this object.
+  /// `controller` may be null, which means a single rank. The controller must outlive this object.
   explicit Ranks(vtkMultiProcessController* controller = nullptr);
 
   bool areAlone() const noexcept { return this->Count == 1; }
   int count() const noexcept { return this->Count; }
   int own() const noexcept { return this->Own; }
 
-  /// Whether `own` is true on any rank.
+  /// Returns whether `own` is true on any rank.
   bool any(bool own) const;
   double largest(double own) const;
   double smallest(double own) const;
@@ -67,8 +67,8 @@ public:
     return all;
   }
 
-  /// Returns the bodies of all ranks, in rank order, on rank `to`. Returns an empty list on other
-  /// ranks.
+  /// On rank `to`, returns the bodies of all ranks, in rank order. On other ranks, returns an empty
+  /// list.
   std::vector<vtkSmartPointer<vtkPolyData>> send(vtkPolyData* own, int to) const;
   /// Copies the body of rank `from` to all ranks.
   void spread(vtkPolyData* body, int from) const;

@@ -14,7 +14,8 @@ namespace
 {
 using Sum = std::array<double, 3>;
 
-/// Sums the normals of one piece's triangles around a point, weighted by their angles at the point.
+/// Returns the sum of the normals of one piece's triangles around a point, weighted by the angles
+/// of the triangles at the point.
 Sum angleWeightedSum(const BodyMesh& mesh, std::int32_t point)
 {
   Vector3 sum = Vector3::Zero();
@@ -32,7 +33,7 @@ Sum angleWeightedSum(const BodyMesh& mesh, std::int32_t point)
   return { sum.x(), sum.y(), sum.z() };
 }
 
-/// Six times the volume enclosed by the triangles and `origin`.
+/// Returns six times the sum of the volumes of the tetrahedra between the triangles and `origin`.
 double sixfoldVolume(const BodyMesh& mesh, const Vector3& origin)
 {
   double sum = 0.0;
@@ -78,7 +79,8 @@ SeamClosure closureOf(const BodyMesh& piece, const BodySeam& seam)
   const BodyMesh::Defects& found = piece.defects();
   const std::vector<double> open{ static_cast<double>(found.borderEdges),
     static_cast<double>(found.nonManifoldEdges + found.notFinite + found.badIndex) };
-  // Use a common origin within the body: a point of the lowest rank that has a usable triangle.
+  // The common origin is within the body. It is a point of the lowest rank that has a usable
+  // triangle.
   std::vector<Sum> origin;
   for (std::size_t t = 0; t < piece.triangleCount() && origin.empty(); ++t)
   {

@@ -10,13 +10,13 @@ namespace palpate
 {
 class BodySeam;
 
-/// Returns unit angle-weighted normals at the places of a seam, from the triangles of all pieces.
-/// They equal the normals of the body in one piece, except for rounding by another order of
-/// summation. The normal of a point without a usable triangle is zero. Collective; the bits are the
-/// same on all ranks.
+/// Returns the unit angle-weighted normals at the points of a seam. The triangles of all pieces
+/// contribute. The normals equal the normals of the body in one piece, except for rounding, because
+/// the order of summation differs. The normal of a point without a usable triangle is zero.
+/// Collective. The results are bitwise equal on all ranks.
 std::vector<Vector3> seamNormals(const BodyMesh& piece, const BodySeam& seam);
 
-/// Whether the surface of all pieces together is closed, and the volume that it encloses, mm³. The
+/// States whether the surface of all pieces together is closed, and the enclosed volume, mm³. The
 /// volume is negative if triangles wind inward, and meaningless if the surface is not closed.
 struct SeamClosure
 {

@@ -50,7 +50,7 @@ void addLaw(vtkPolyData* body, const std::string& name, const CouplingTerms& ter
   body->GetFieldData()->AddArray(array);
 }
 
-/// Returns the law of the layers, for the mean of the smallest and the largest Poisson's ratio. For
+/// Returns the law of the layers for the mean of the smallest and the largest Poisson's ratio. For
 /// a half-space, returns the default law.
 CouplingLaw lawOf(const MaterialRange& range)
 {
@@ -63,10 +63,10 @@ CouplingLaw lawOf(const MaterialRange& range)
     : CouplingLaw(LayerKernel(0.5 * (range.leastRatio + range.mostRatio), range.layers.base));
 }
 
-/// Attaches the modes. They are scaled down where their compliance would exceed that of the
-/// response. That is the global compliance plus a third of the local compliance at the last sample
-/// (1 - 2/π of 1/(2E*a), the part that the law of the surface does not use). Then the compliance
-/// matrix of all contacts is positive definite at any depths.
+/// Attaches the modes. The modes are scaled down where their compliance would exceed a limit. The
+/// limit is the global compliance of the response plus the fraction 1 - 2/π = 0.36 of the local
+/// compliance 1/(2E*a) at the last sample. The law of the surface does not use this fraction. With
+/// this limit, the compliance matrix of all contacts is positive definite at any depths.
 void addModes(
   const ContactSpots& spots, const std::string& name, vtkDataArray* modes, vtkPolyData* body)
 {
@@ -114,8 +114,8 @@ std::string findModes(vtkPolyData* body, vtkDataArray*& modes)
   return {};
 }
 
-/// The interaction of contacts on one body. Its arrays are Coupling, CouplingModulus,
-/// CouplingThickness and CouplingModes. Without these arrays contacts do not interact.
+/// The interaction of contacts on one body. The arrays of the term are Coupling, CouplingModulus,
+/// CouplingThickness and CouplingModes. Without these arrays, contacts do not interact.
 class CouplingTerm : public LawTerm
 {
 public:

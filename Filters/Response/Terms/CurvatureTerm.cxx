@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-/// The curvature of the body under the tool. It changes the curves (Laws/CurvedContact.h).
+/// The curvature of the body under the tool. The term changes the curves (Laws/CurvedContact.h).
 class CurvatureTerm : public LawTerm
 {
 public:

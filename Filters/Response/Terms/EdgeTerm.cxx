@@ -48,15 +48,16 @@ void addEdges(vtkPolyData* body, const std::string& name, const EdgeTerms& edges
   body->GetFieldData()->AddArray(array);
 }
 
-/// The effect of sharp edges on contacts near them. Its array is Edges. Without it, edges do not
-/// change the force. Curves of true shape already contain the effect, except beyond the edge.
+/// The effect of sharp edges on contacts near them. The array of the term is Edges. Without this
+/// array, edges do not change the force. Curves for the true shape of a body already contain the
+/// effect, except beyond the edge.
 class EdgeTerm : public LawTerm
 {
 public:
   bool isAsked(const LawRequest& request) const override;
   std::string make(const TermBody& response, vtkPolyData* output) const override;
-  /// Keeps the term if a sharp edge is within reach of a contact, because a contact at any depth
-  /// can leave the body over an edge.
+  /// Keeps the term if a sharp edge is close enough to affect a contact, because a contact at any
+  /// depth can leave the body over an edge.
   std::string need(AutomaticTerms& choice) const override;
   bool view(vtkPolyData* body, const std::string& name, ResponseArrays& arrays,
     std::string& error) const override;

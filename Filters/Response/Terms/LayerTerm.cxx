@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// A body with fewer layers, and its name for the reason.
+/// A body with fewer layers, and its name, which is part of the reason.
 struct SimplerBody
 {
   BodyMaterial::Constants constants;
@@ -29,7 +29,8 @@ struct SimplerBody
   const char* name;
 };
 
-/// Returns the bodies to try, the simplest first. Empty if `material` is a half-space.
+/// Returns the bodies to try, the simplest first. Returns an empty list if `material` is a
+/// half-space.
 std::vector<SimplerBody> simplerBodies(const LawRequest& request, const BodyMaterial& material)
 {
   std::vector<SimplerBody> simpler;

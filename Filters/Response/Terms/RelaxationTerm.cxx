@@ -24,7 +24,7 @@ namespace palpate
 {
 namespace
 {
-/// Reads the k values of a field array, 1 to 4. Returns "" or an error message.
+/// Reads the k values of a field array, where k is 1 to 4. Returns "" or an error message.
 std::string readBranches(vtkDataArray* array, const std::string& name, std::vector<double>& values)
 {
   const vtkIdType count = array->GetNumberOfValues();
@@ -65,8 +65,8 @@ std::string checkValues(const std::string& name, const float* values, std::size_
   return {};
 }
 
-/// Sets exponent and contact radius of the tool. They are used if a contact slides onto new
-/// material.
+/// Sets the exponent and the contact radius of the tool. These values are needed when a contact
+/// slides onto new material.
 void describeContact(const std::string& text, double range, RelaxationTerms& terms)
 {
   ToolSpecification specification;
@@ -88,9 +88,9 @@ void describeContact(const std::string& text, double range, RelaxationTerms& ter
   }
 }
 
-/// Reads the series of a response. The series has no branches if the body does not relax. A field
-/// array has k values, either as k tuples or as one tuple. Returns false and an error if an array
-/// is invalid.
+/// Reads the Prony series of a response. The series has no branches if the body does not relax. A
+/// field array contains k values, either as k tuples or as one tuple. Returns false and an error if
+/// an array is invalid.
 bool readSeries(vtkPolyData* body, const std::string& name, PronySeries& series, std::string& error)
 {
   series = {};
@@ -147,7 +147,7 @@ bool readSeries(vtkPolyData* body, const std::string& name, PronySeries& series,
   return error.empty();
 }
 
-/// Whether a value is not negative and can be stored as a float.
+/// Returns whether a value is not negative and can be stored as a float.
 bool isStorable(double value)
 {
   return value >= 0.0 && std::isfinite(static_cast<float>(value));
@@ -204,8 +204,8 @@ std::string checkElastic(const MaterialArray& compliance)
   return {};
 }
 
-/// Returns the array of an elastic compliance. Returns null if the compliance relaxes like the
-/// body.
+/// Returns the array of an elastic compliance. Returns null if the compliance relaxes in the same
+/// way as the body.
 vtkDataArray* elasticCompliance(const LawRequest& request)
 {
   const RelaxationRequest& relaxation = request.relaxation;
@@ -229,9 +229,9 @@ void addCopy(vtkDataArray* from, const std::string& name, ResponseArray which, v
   addFloats(output, name, which, components, values);
 }
 
-/// The relaxation of the body. Its arrays are RelaxationStrength, RelaxationTime, LocalRelaxation
-/// and ElasticCompliance. With these arrays, the curves of the response are its slow part. Without
-/// them the body does not relax.
+/// The relaxation of the body. The arrays of the term are RelaxationStrength, RelaxationTime,
+/// LocalRelaxation and ElasticCompliance. With these arrays, the curves of the response describe
+/// the slow force. Without them, the body does not relax.
 class RelaxationTerm : public LawTerm
 {
 public:
@@ -240,9 +240,9 @@ public:
   std::string make(const TermBody& response, vtkPolyData* output) const override;
   /// Returns a text such as ", relaxing 0.5 in 0.1 s, 0.3 in 2 s".
   ResponseModel words(const TermBody& response) const override;
-  /// Sets, in addition, the exponent and the contact radius of the tool at the largest range, using
-  /// the text in the array Tool. If the tool cannot be read, or cannot be pressed to that depth,
-  /// the exponent is that of the curves and the radius is 0.
+  /// Also sets the exponent and the contact radius of the tool at the largest range, using the text
+  /// in the array Tool. If the tool cannot be read, or cannot be pressed to this depth, the
+  /// exponent is that of the curves and the radius is 0.
   bool view(vtkPolyData* body, const std::string& name, ResponseArrays& arrays,
     std::string& error) const override;
   void describe(

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Finite strain. It multiplies the curves by a StrainCorrection.
+/// Finite strain. The term multiplies the curves by a StrainCorrection.
 class StrainTerm : public LawTerm
 {
 public:
@@ -23,7 +23,7 @@ public:
     return request.terms.strain.model != StrainModel::Linear;
   }
   ResponseModel words(const TermBody& response) const override;
-  /// Computes the correction if the choice depends on it.
+  /// Computes the correction if the choice of terms depends on it.
   std::string need(AutomaticTerms& choice) const override;
 };
 } // namespace

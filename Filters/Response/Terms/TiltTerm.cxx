@@ -37,7 +37,7 @@ TiltNumbers numbersOf(const TiltTerms& terms)
     static_cast<double>(terms.laws) };
 }
 
-/// Converts stored numbers to terms. A count that is not a whole number becomes 0, which is
+/// Converts stored numbers to terms. A count that is not a whole number is converted to 0, which is
 /// invalid.
 TiltTerms termsOf(const TiltNumbers& numbers)
 {
@@ -88,8 +88,8 @@ double radians(const LawRequest& request)
   return request.terms.tilt * Pi / 180.0;
 }
 
-/// Attaches the numbers of a table as arrays. `weights`: weight of each law at each point; empty if
-/// the table has one law.
+/// Attaches the numbers of a table as arrays. `weights` contains the weight of each law at each
+/// point. It is empty if the table has one law.
 void addTable(vtkPolyData* body, const std::string& name, const TiltTable& table,
   const std::vector<float>& weights)
 {
@@ -118,9 +118,9 @@ MaterialTilts tiltsIn(const TermBody& response, std::size_t points)
 }
 
 /// The effect of the tool's tilt on the force. The arrays Tilt, TiltDrop, TiltNode and TiltWeight
-/// contain the numbers of a TiltTable. Without them the tool counts as upright, whatever its axis.
-/// For a body of true shape the table is that of a half-space, and the term does not change
-/// validity.
+/// contain the numbers of a TiltTable. Without these arrays, the tool counts as upright for any
+/// direction of its axis. For a response of the true shape, the table is that of a half-space, and
+/// the term does not change the validity.
 class TiltTerm : public LawTerm
 {
 public:

@@ -20,12 +20,13 @@ namespace palpate
 namespace
 {
 constexpr int Facets = 32;         // number of facets around the shaft
-constexpr double HeadRadius = 1.4; // in shaft diameters
+constexpr double HeadRadius = 1.4; // radius of the head in shaft diameters
 constexpr double HeadLength = 3.5;
-constexpr double LargestHead = 0.4; // fraction of the arrow
+// Largest length of the head, as a fraction of the length of the arrow.
+constexpr double LargestHead = 0.4;
 
-/// A circle at one end of a band of facets: height above the tail, radius, and direction of the
-/// normal.
+/// A circle at one end of a band of facets, described by its height above the tail, its radius, and
+/// the direction of the normal.
 struct Ring
 {
   double height;
@@ -50,7 +51,7 @@ vtkSmartPointer<vtkPolyData> makeContactArrow(
   const double wide = HeadRadius * thickness * slim;
   const double side = std::hypot(head, wide);
   const double neck = length - head;
-  // Each band has its own two rings, so that its edges remain sharp.
+  // Each band has its own two rings, so that the edges of the band remain sharp.
   const std::array<Ring, 8> rings = { { { 0.0, 0.0, 0.0, -1.0 }, { 0.0, shaft, 0.0, -1.0 },
     { 0.0, shaft, 1.0, 0.0 }, { neck, shaft, 1.0, 0.0 }, { neck, shaft, 0.0, -1.0 },
     { neck, wide, 0.0, -1.0 }, { neck, wide, head / side, wide / side },

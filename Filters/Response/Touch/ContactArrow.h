@@ -10,10 +10,10 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Makes an arrow from `tail` along `way` (mm): triangles with outward point normals. `thickness`
-/// is the diameter of the shaft, mm. It is the same for arrows of any length, so that lengths can
-/// be compared. The head is at most 40 % of the length, so a very short arrow has a thinner head
-/// and shaft.
+/// Returns an arrow from `tail` along the vector `way` (mm), as triangles with outward point
+/// normals. `thickness` is the diameter of the shaft, mm. Arrows of any length have the same
+/// thickness, so that lengths can be compared. The head is at most 40 % of the length. Therefore a
+/// very short arrow has a thinner head and shaft.
 vtkSmartPointer<vtkPolyData> makeContactArrow(
   const Vector3& tail, const Vector3& way, double thickness);
 } // namespace palpate

@@ -41,8 +41,8 @@ vtkDataArray* timesOf(vtkPolyData* tips)
   return tips->GetPointData()->GetArray("Time");
 }
 
-/// Groups the tips of polylines that press at the same time, by time or by index. Each group has
-/// one tip per polyline; -1 means that the tool is absent.
+/// Groups the tips of polylines that press at the same time, by Time or by index. Each group has
+/// one entry per polyline. The entry is -1 if the tool of the polyline is absent.
 std::map<double, Line> stepsOf(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -83,7 +83,7 @@ std::map<double, Line> groupsOf(vtkPolyData* tips, const std::vector<Line>& line
   return groups;
 }
 
-/// Checks the times of polylines that press together. Returns "" or an error message.
+/// Checks the times of polylines that press at the same time. Returns "" or an error message.
 std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
 {
   vtkDataArray* times = timesOf(tips);
@@ -116,8 +116,8 @@ std::string checkSteps(vtkPolyData* tips, const std::vector<Line>& lines)
   return {};
 }
 
-/// Copies the results of tips that press at once to the rows of these tips. An index of -1 marks an
-/// absent tip.
+/// Copies the results of tips that press at the same time to the rows of these tips. An index of -1
+/// marks an absent tip.
 void storeCoupling(const CoupledContacts& contacts, const Line& tips, vtkDoubleArray* stiffness,
   std::vector<double>* errors)
 {

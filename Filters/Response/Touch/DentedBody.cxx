@@ -21,14 +21,16 @@ namespace palpate
 {
 namespace
 {
-/// Ratio of displacement to edge length. Below it the rotation of a normal is invisible.
+/// Smallest ratio of displacement to edge length at which normals are rotated. Below this ratio the
+/// rotation is invisible.
 constexpr double VisibleTurn = 1e-3;
 
 using FacetCorners = std::array<Vector3, 3>;
 
 Vector3 facetNormal(const FacetCorners& corners)
 {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]); // the length is twice the area
+  // The length of this vector is twice the area.
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
 /// Calls `use` with the corner ids of each triangle.
@@ -53,8 +55,8 @@ Vector3 motionOf(vtkFloatArray* displacement, vtkIdType point)
   return Eigen::Map<const Eigen::Vector3f>(displacement->GetPointer(3 * point)).cast<double>();
 }
 
-/// Returns the sum of all dents: the array of a single dent itself, or a new array for several
-/// dents.
+/// Returns the sum of all dents. If there is a single dent, returns its array; otherwise returns a
+/// new array.
 vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
 {
   if (dents.size() == 1)
@@ -70,7 +72,8 @@ vtkSmartPointer<vtkFloatArray> sumOf(const std::vector<Dent>& dents)
   return sum;
 }
 
-/// Rotates the normals with the facets. Returns the new normals, or null if no normal changes.
+/// Rotates the normals together with the facets. Returns the new normals, or null if no normal
+/// changes.
 vtkSmartPointer<vtkDataArray> turnNormals(
   vtkPolyData* body, vtkDataArray* normals, vtkPoints* before, vtkFloatArray* displacement)
 {
@@ -167,7 +170,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Vector3 moved = motionOf(displacement, i);
-    double depth = 0.0; // initial 0 avoids a result of -0
+    double depth = 0.0; // the initial value 0 avoids a result of -0
     for (const Dent& made : dents)
     {
       depth -= motionOf(made.displacement, i).dot(made.normal);
@@ -186,7 +189,7 @@ void dentBody(vtkPolyData* body, const std::vector<Dent>& dents)
   {
     if (const auto turned = turnNormals(body, normals, before, displacement))
     {
-      data->SetNormals(turned); // replaces the old normals
+      data->SetNormals(turned); // this replaces the old point normals
     }
   }
   body->SetPoints(after);

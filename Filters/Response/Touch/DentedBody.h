@@ -13,7 +13,7 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The displacement of a body by one contact.
+/// The displacement of a body under one contact.
 struct Dent
 {
   vtkSmartPointer<vtkFloatArray> displacement; ///< mm, one vector per point
@@ -21,13 +21,14 @@ struct Dent
 };
 
 /**
- * Moves the points of a body by the sum of all dents. Needs at least one dent. Adds two point
- * arrays: `ContactDisplacement`, the whole displacement; and `Dent (mm)`, the active scalars. `Dent
- * (mm)` is the sum over the dents of the displacement against the normal of each contact.
+ * Moves the points of a body by the sum of all dents. `dents` has at least one element. Adds two
+ * point arrays: `ContactDisplacement`, the total displacement, and `Dent (mm)`, the active scalars.
+ * `Dent (mm)` is the sum over all dents of the displacement component opposite to the contact
+ * normal.
  *
- * Other objects share the arrays of `body`. So changed arrays are replaced, and no array is
- * modified. Active point normals are corrected by the change of the mean normal of the facets
- * around a point, so that smooth shading and sharp edges are kept.
+ * Other objects share the arrays of `body`. Therefore the function replaces the arrays that change,
+ * and modifies no array. Active point normals are corrected by the change of the mean normal of the
+ * facets around a point, so that smooth shading and sharp edges are kept.
  */
 void dentBody(vtkPolyData* body, const std::vector<Dent>& dents);
 } // namespace palpate

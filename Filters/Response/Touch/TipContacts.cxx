@@ -128,8 +128,8 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
       ToolContact single(body, frictionless);
       TipPoses start(body, tips, indentation);
       TipOrder order;
-      // Results are collected first and then passed to the visitor in the order of the tips. The
-      // visitor writes to many arrays, which is faster in that order.
+      // The results are collected first, and then passed to the visitor in the order of the tips.
+      // The visitor writes to many arrays, and writing in this order is faster.
       struct TipResult
       {
         Contact contact;
@@ -160,13 +160,14 @@ void touchWithTips(const ContactBody& body, vtkPolyData* tips, const ContactSett
             at.contact = single.update(pose);
             if (isPress && !(at.contact.normalForce > 0.0))
             {
-              // The face that the tip presses has no force there, so all faces are searched.
+              // The face that the tip presses has no force at this point, so all faces are
+              // searched.
               single.reset();
               at.contact = single.update(pose);
             }
             if (pose.hasAxis())
             {
-              // This second update uses the normal that the first update found.
+              // The second update uses the normal that the first update found.
               at.contact = single.update(pose);
             }
           });

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double LastCell = 1023.0;
 
-/// Moves bit k of the lowest ten bits of x to bit 3k.
+/// Moves each bit k of the lowest ten bits of x to the bit 3k.
 std::uint32_t spread(std::uint32_t x)
 {
   x = (x | (x << 16)) & 0x030000FFU;
@@ -64,7 +64,7 @@ void TipOrder::sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const ch
       { keyOf(tip.position, box.min(), scale), static_cast<std::uint32_t>(this->Items.size()) });
   }
 
-  // Radix sort, ten bits at a time, lowest bits first.
+  // This is a radix sort by ten bits at a time, beginning with the lowest bits.
   constexpr unsigned digit = 10;
   this->Spare.resize(this->Items.size());
   for (unsigned shift = 0; shift < 3 * digit; shift += digit)

@@ -16,9 +16,10 @@ class vtkPolyData;
 namespace palpate
 {
 /**
- * A block of tips, sorted so that consecutive tips are close: along Morton's curve through a grid
- * of 1024³ cells around the tips. The search for a contact then begins where the last contact was
- * found, and the memory that it reads is in the cache, whatever the order of the tips.
+ * A block of tips, sorted so that consecutive tips are close. The order follows Morton's curve
+ * through a grid of 1024³ cells around the tips. In this order, the search for a contact begins
+ * where the last contact was found, and reads memory that is in the cache. This holds for any order
+ * of the input.
  */
 class TipOrder
 {
@@ -33,14 +34,15 @@ public:
     Vector3 position;
   };
 
-  /// Sorts the tips `first` to `last` - 1, at most BlockSize. Leaves out tips marked in `leftOut`.
+  /// Sorts the tips `first` to `last` - 1, which are at most BlockSize tips. Leaves out the tips
+  /// that are marked in `leftOut`.
   void sort(vtkPolyData* tips, vtkIdType first, vtkIdType last, const char* leftOut);
 
   /// Returns the tips of the block in the input order.
   const std::vector<Tip>& tips() const { return this->Given; }
 
   /// Calls visit(k, next) for each of tips() in the sorted order. `next` is a tip that follows a
-  /// few calls later, so its memory can be prefetched.
+  /// few calls later. It allows `visit` to prefetch the memory of that tip.
   template <class Visit>
   void forEach(const Visit& visit) const
   {
@@ -56,7 +58,7 @@ private:
   struct Item
   {
     std::uint32_t key;
-    std::uint32_t place; ///< index in Given
+    std::uint32_t place; ///< index of the tip in Given
   };
 
   std::vector<Tip> Given;

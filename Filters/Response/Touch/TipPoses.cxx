@@ -74,7 +74,8 @@ ToolPose TipPoses::at(vtkIdType tip, const Vector3& position)
 
 ToolPose TipPoses::onset(vtkIdType tip, const Vector3& position)
 {
-  constexpr double under = 0.1; // fraction of the distance from the triangle's edges
+  // Depth below the triangle, as a fraction of the distance from the triangle's edges.
+  constexpr double under = 0.1;
   Vector3 point;
   Vector3 normal;
   const std::int32_t triangle = this->findSite(position, point, normal);

@@ -11,12 +11,12 @@ namespace palpate
 /**
  * Sets the times of a filter with two inputs, body and tips. TIME_STEPS of the output are the steps
  * of both inputs, without repetition, in ascending order. TIME_RANGE covers both inputs. Sets no
- * times if neither input has any. Called by RequestInformation.
+ * times if neither input has time steps. RequestInformation calls this function.
  */
 void passTimes(vtkInformationVector** inputs, vtkInformation* output);
 
-/// Sets DATA_TIME_STEP of the output to that of the tips or, if the tips have none, to that of the
-/// body. `body` and `tips` may be null.
+/// Sets DATA_TIME_STEP of the output to the value of the tips. If the tips have no value, the value
+/// of the body is used. `body` and `tips` may be null.
 void passDataTime(vtkDataObject* body, vtkDataObject* tips, vtkDataObject* output);
 } // namespace palpate
 

@@ -26,10 +26,11 @@ namespace palpate
 {
 namespace
 {
-constexpr int ProfilePoints = 48; // approximate number of points, without the kinks of the profile
+// Approximate number of points of the profile, in addition to its kinks.
+constexpr int ProfilePoints = 48;
 
-/// Returns the radius at which the drawn profile ends: the radius of its outer wall, or a radius of
-/// at most `maximum` if it widens without end.
+/// Returns the radius at which the drawn profile ends. It is the radius of the outer wall or, if
+/// the profile widens without end, a radius of at most `maximum`.
 double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
 {
   if (std::isfinite(tool.largestContactRadius()))
@@ -51,8 +52,8 @@ double outerRadius(const AxisymmetricTool& tool, double maximum, double length)
   return inside;
 }
 
-/// Returns the radii at which the profile is drawn: its kinks, and points between them. The points
-/// are denser towards the outer end, because a sphere is steep there.
+/// Returns the radii at which the profile is drawn: the kinks of the profile, and points between
+/// them. The points are denser towards the outer end, because a sphere is steep there.
 std::vector<double> drawnRadii(const AxisymmetricTool& tool, double outer)
 {
   std::vector<double> ends;
@@ -110,8 +111,8 @@ std::string makeToolSurface(
   turn->CappingOff();
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(turn->GetOutputPort());
-  // The sweep duplicates the points at its start and on the axis. They are merged, because
-  // otherwise the shading shows a seam.
+  // The rotational sweep duplicates the points at its start and on the axis. These points are
+  // merged, because otherwise the shading shows a seam.
   vtkNew<vtkCleanPolyData> merged;
   merged->SetInputConnection(triangles->GetOutputPort());
   merged->ToleranceIsAbsoluteOn();

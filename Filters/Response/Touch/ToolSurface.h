@@ -12,21 +12,21 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// Size of the drawn part of a tool, all > 0.
+/// Size of the drawn part of a tool. All members are > 0.
 struct ToolSurfaceSize
 {
   double length;        ///< mm
-  double maximumRadius; ///< mm, for a profile that widens without end
-  int resolution = 64;  ///< facets around the axis
+  double maximumRadius; ///< largest drawn radius of a profile that widens without end, mm
+  int resolution = 64;  ///< number of facets around the axis
 };
 
-/// Makes the surface of a tool: triangles with normals, tip at the origin, axis along +z. Returns
-/// "" or an error message.
+/// Creates the surface of a tool, as triangles with normals. The tip is at the origin, and the axis
+/// points along +z. Returns "" or an error message.
 std::string makeToolSurface(
   const AxisymmetricTool& tool, const ToolSurfaceSize& size, vtkPolyData* output);
 
-/// Moves a surface made by makeToolSurface: its tip to `tip`, its axis along the unit vector
-/// `axis`.
+/// Moves a surface that makeToolSurface created. Moves its tip to `tip`, and turns its axis to the
+/// unit vector `axis`.
 void standTool(const Vector3& tip, const Vector3& axis, vtkPolyData* surface);
 } // namespace palpate
 

@@ -20,17 +20,20 @@ namespace palpate
 {
 namespace
 {
-constexpr int PlacesPerSide = 25; // odd, so that one place is in the middle
+constexpr int PlacesPerSide = 25; // an odd number, so that one place is in the middle
 constexpr int NeighbourCount = 8;
-constexpr double NeighbourDistance = 2.0; // contact radii
-// Best direction of the normal, as the ratio of its upward part to its part towards the viewer.
+constexpr double NeighbourDistance = 2.0; // distance of the surrounding places, in contact radii
+// Best direction of the normal, as the ratio of its upward component to its component towards the
+// viewer.
 constexpr double BestLean = 0.8;
-// Cosine of the angle between normal and line of sight. Below this value a place is hard to see.
+// Cosine of the angle between the normal and the line of sight. If the cosine is smaller, the place
+// is rated lower, because it is hard to see.
 constexpr double ClearCosine = 0.5;
-/// With this exponent, 10 % of disagreement of the normals lowers the rating as much as a corner of
-/// the picture.
+/// Exponent of the factor of flatness. With this exponent, a disagreement of the normals of 10 %
+/// lowers the rating as much as a position in a corner of the picture.
 constexpr int FlatnessExponent = 8;
-/// Smallest factor of validity, > 0: if no place is within validity, the other factors decide.
+/// Smallest factor of validity, > 0. If no place is within validity, the other factors determine
+/// the rating.
 constexpr double SmallestValidity = 1e-3;
 
 struct Rectangle
@@ -39,7 +42,7 @@ struct Rectangle
   double high[2] = { -HUGE_VAL, -HUGE_VAL };
 
   bool isEmpty() const { return !(this->low[0] < this->high[0] && this->low[1] < this->high[1]); }
-  double at(int axis, double share) const // -1 to 1
+  double at(int axis, double share) const // returns the position at `share`, from -1 to 1
   {
     return 0.5 *
       (this->low[axis] + this->high[axis] + share * (this->high[axis] - this->low[axis]));
@@ -65,7 +68,7 @@ public:
   {
     const bool isCut = sight.halfWidth > 0.0 && sight.halfHeight > 0.0;
     const double half[2] = { sight.halfWidth, sight.halfHeight };
-    bool isWithin = false; // whether the eye is between the corners
+    bool isWithin = false; // whether a corner of the body's box is behind the eye
     for (const Vector3& corner : corners)
     {
       const Vector3 off = corner - sight.eye;
@@ -92,7 +95,7 @@ public:
     this->Nearest = sight.isNear ? std::max(this->Nearest, 1e-6 * this->Farthest) : this->Nearest;
   }
 
-  /// The rectangle of the picture that contains the visible part of the body.
+  /// Returns the rectangle of the picture that contains the visible part of the body.
   const Rectangle& visiblePart() const { return this->Body; }
   bool isEmpty() const
   {
@@ -141,8 +144,8 @@ std::array<Vector3, 8> cornersOf(const double bounds[6])
   return corners;
 }
 
-/// Mean of the normals at a place and at the places around it. The length of the mean, at most 1,
-/// is a measure of flatness.
+/// Returns the mean of the normals at a place and at the places around it. The length of the mean
+/// is at most 1 and is a measure of flatness.
 Vector3 meanNormalAt(
   TouchedBody& body, const Picture& picture, const TouchedPlace& place, double distance)
 {
@@ -164,7 +167,7 @@ Vector3 meanNormalAt(
   return sum / (NeighbourCount + 1);
 }
 
-/// Rates a place as the start of a touch. 0 means unsuitable.
+/// Returns the rating of a place as the start of a touch; 0 means unsuitable.
 double rate(
   TouchedBody& body, vtkContactTool* tool, const Picture& picture, const TouchedPlace& place)
 {
@@ -196,7 +199,8 @@ double rate(
   return flatness * facing * within;
 }
 
-/// Returns positions in the picture, each coordinate from -1 to 1, sorted from the middle outward.
+/// Returns positions in the picture, sorted from the middle outward. Each coordinate is from -1 to
+/// 1.
 std::vector<Eigen::Vector2d> placesOfPicture()
 {
   std::vector<Eigen::Vector2d> places;
@@ -214,7 +218,8 @@ std::vector<Eigen::Vector2d> placesOfPicture()
   return places;
 }
 
-/// Returns the visible place with the best rating; its cell is -1 if there is no suitable place.
+/// Returns the visible place with the best rating. The cell of the place is -1 if there is no
+/// suitable place.
 TouchedPlace search(TouchedBody& body, vtkContactTool* tool, const Sight& sight)
 {
   const Picture picture(sight, cornersOf(body.bounds()));

@@ -62,7 +62,7 @@ bool TouchedBody::take(vtkPolyData* body, const std::string& name, std::string& 
   return true;
 }
 
-/// Makes the locator on first use. Returns false for a body without triangles.
+/// Builds the locator on first use. Returns false for a body without triangles.
 bool TouchedBody::locate()
 {
   if (!this->Locator)
@@ -105,7 +105,7 @@ TouchedPlace TouchedBody::hit(const Vector3& from, const Vector3& to)
   {
     return place;
   }
-  // The tolerance makes a line that meets an edge hit one of its triangles.
+  // With this tolerance, a line that meets an edge intersects one of the triangles at the edge.
   const double tolerance = 1e-6 * this->Body->GetLength();
   double share = 0.0;
   Vector3 point;
@@ -175,7 +175,7 @@ double TouchedBody::range(const TouchedPlace& place) const
 
 double TouchedBody::stiffness(const TouchedPlace& place, double depth) const
 {
-  // The kernel evaluates a copy of the response that has only the three points of the triangle.
+  // The kernel evaluates a copy of the response that has only the three corners of the triangle.
   const auto ids = cornersOf(this->Body, place.cell);
   const auto samples = static_cast<std::size_t>(this->Response.samples);
   const auto laws = static_cast<std::size_t>(this->Response.laws);

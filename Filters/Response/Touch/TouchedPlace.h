@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/** @file
- * A place where a body is or can be touched.
+/**
+ * @file
+ * A place where a tool touches or can touch a body.
  */
 #ifndef TouchedPlace_h
 #define TouchedPlace_h
@@ -14,10 +15,11 @@ namespace palpate
 /// A place on the surface of a body.
 struct TouchedPlace
 {
-  vtkIdType cell = -1;               ///< cell of the body; -1: no place
-  Vector3 point = Vector3::Zero();   ///< mm
-  Vector3 weights = Vector3::Zero(); ///< area coordinates of the three corners
-  double distance = 0.0;             ///< distance from the given point to this place, mm
+  vtkIdType cell = -1;             ///< cell of the body; -1 if there is no place
+  Vector3 point = Vector3::Zero(); ///< position, mm
+  /// Area coordinates of the place with respect to the three corners.
+  Vector3 weights = Vector3::Zero();
+  double distance = 0.0; ///< distance from the given point to this place, mm
 };
 } // namespace palpate
 

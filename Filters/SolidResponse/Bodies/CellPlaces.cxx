@@ -19,7 +19,7 @@ bool isTetrahedron(vtkCell* cell)
   return cell->GetCellType() == VTK_TETRA || cell->GetCellType() == VTK_QUADRATIC_TETRA;
 }
 
-/// Determinant of a hexahedron's Jacobian.
+/// Returns the determinant of a hexahedron's Jacobian.
 double volumeAt(vtkCell* cell, const std::array<double, 3>& at)
 {
   std::array<double, 24> slopes{};

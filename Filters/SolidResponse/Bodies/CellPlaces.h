@@ -11,8 +11,9 @@ class vtkCell;
 namespace palpate
 {
 /**
- * Sample points in a cell, n along each side, with the fraction of the volume that each point
- * represents. The sides of tetrahedra, including quadratic ones, are taken as straight.
+ * Sample points in a cell, with n points along each side. Each point has a weight, the fraction of
+ * the volume that it represents. The sides of tetrahedra, including quadratic tetrahedra, are taken
+ * as straight.
  */
 class CellPlaces
 {
@@ -27,7 +28,7 @@ public:
 
 private:
   int Along;
-  std::vector<double> Weights; ///< weights of a cell's points
+  std::vector<double> Weights; ///< weights of the sample points of a cell
 };
 } // namespace palpate
 

@@ -22,7 +22,7 @@ namespace palpate
 {
 namespace
 {
-/// Merges points at the same place; the result has no arrays.
+/// Merges points at the same position. The result has no arrays.
 vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
 {
   vtkNew<vtkPolyData> bare;
@@ -36,7 +36,8 @@ vtkSmartPointer<vtkPolyData> mergePoints(vtkPolyData* body)
   return clean->GetOutput();
 }
 
-// Smallest cosine between the normals of a held outer face and of its side of the box.
+// Smallest cosine of the angle between the normal of a held outer face and the normal of its side
+// of the box.
 constexpr double LeastCosine = 0.70710678;
 
 Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
@@ -46,7 +47,7 @@ Eigen::Vector3d placeOf(vtkDataSet* data, vtkIdType point)
   return place;
 }
 
-/// Distances of places from the sides of a body's box.
+/// Distances of positions from the sides of a body's bounding box.
 class SidesOfBox
 {
 public:
@@ -152,7 +153,7 @@ vtkSmartPointer<vtkUnsignedCharArray> holdFaces(vtkUnstructuredGrid* body, const
   MeshTopology topology;
   if (!convertVolume(body, mesh).empty() || !topology.build(mesh).empty())
   {
-    return fixed; // the solver of the body reports the fault
+    return fixed; // the solver of the body reports the error
   }
   const BodySurface surface(mesh, topology);
   for (std::int32_t t = 0; t < surface.triangleTotal(); ++t)

@@ -10,15 +10,15 @@ class vtkStaticCellLocator;
 
 namespace palpate
 {
-/// A place of a data set and the cell that contains it.
+/// A position in a data set, and the cell that contains it.
 struct ClosestPlace
 {
   Eigen::Vector3d at;
   vtkIdType cell = -1;
 };
 
-/// Finds the place of the data set that is closest to `place`, which must be finite. If none is
-/// found, returns the given place without a cell. Safe from any number of threads.
+/// Returns the position in the data set that is closest to `place`. `place` must be finite. If no
+/// position is found, returns `place` without a cell. Thread-safe.
 ClosestPlace closestPlace(vtkStaticCellLocator* locator, const Eigen::Vector3d& place);
 } // namespace palpate
 

@@ -21,8 +21,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int Border = 3;    // voxels around the body
-constexpr double Blur = 0.8; // standard deviation, voxels
+constexpr int Border = 3;    // number of voxels around the body
+constexpr double Blur = 0.8; // standard deviation in voxels
 } // namespace
 
 vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData* body, double voxel)

@@ -8,9 +8,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Makes a surface of the body without details smaller than `voxel` (mm). The result is closed, has
-/// triangles of similar size, and never intersects itself, whatever the input. A place counts as
-/// inside if a ray from it crosses the surface an odd number of times.
+/// Creates a surface of the body without details smaller than `voxel` (mm). For any input, the
+/// result is closed, has triangles of similar size, and does not intersect itself. A position
+/// counts as inside if a ray from it crosses the surface an odd number of times.
 vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData* body, double voxel);
 } // namespace palpate
 

@@ -15,13 +15,15 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastRatio = 1.2;   // smallest ratio of the cells' lengths
-constexpr double LargestShift = 2.0; // largest shift of the box's sides, in coarser cells
-constexpr double LeastMemory = 1e-3; // MiB; 0 would mean all available memory
+constexpr double LeastRatio = 1.2; // smallest ratio of the edge lengths of the two bodies' cells
+// Largest shift of the bounding box's sides, in lengths of coarser cells.
+constexpr double LargestShift = 2.0;
+// Smallest memory limit, MiB; a limit of 0 would mean all available memory.
+constexpr double LeastMemory = 1e-3;
 constexpr double SolvedPart = 0.7;
-constexpr double FittedPart = 0.95; // fractions of the work in compare()
+constexpr double FittedPart = 0.95; // fractions of the work at the end of two steps in compare()
 
-/// Mean diagonal of a grid's cells.
+/// Returns the mean diagonal of a grid's cells.
 double lengthOfCells(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkGenericCell> cell;

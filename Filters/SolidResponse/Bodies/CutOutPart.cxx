@@ -17,19 +17,20 @@ namespace
 {
 constexpr double InteriorRatio = 4.0;
 constexpr double Growth = 0.5;
-/// Deviation from the surface, in spacings of the cells away from the tool. Fine cells under the
-/// tool follow the surface more closely. A smaller value would need many cells at the edges of the
-/// box.
+/// Largest deviation of facets from the surface, as a fraction of the spacing of the cells away
+/// from the tool. Fine cells under the tool follow the surface more closely. A smaller value would
+/// need many cells at the edges of the box.
 constexpr double DeviationRatio = 0.15;
-/// Distance from the side of the box, in spacings, within which a node counts as on the cut. Cells
-/// do not follow the edges of the box, because that would need many cells.
+/// Largest distance from a side of the box, as a fraction of the spacing, at which a node counts as
+/// on the cut. Cells do not follow the edges of the box, because this would need many cells.
 constexpr double NearSide = 0.1;
-/// Edge length of the smallest part that is kept, relative to half the side of the box.
+/// Edge length of a cube with the smallest volume that is kept, relative to half the side of the
+/// box.
 constexpr double LeastPart = 0.02;
-constexpr double ExpectedCells = 1e4; ///< only used to detect a surface that is too rough
+constexpr double ExpectedCells = 1e4; ///< used only to detect a surface that is too rough
 
-/// The sides of a box that cut off a part of the surface. Sides that leave less of the surface come
-/// first.
+/// Returns the sides of a box that cut off a part of the surface. The side that leaves the smallest
+/// part of the surface is first.
 std::vector<CutPlane> sidesOf(const MeshedSurface& body, const Eigen::Vector3d& place, double half)
 {
   std::vector<CutPlane> planes;
@@ -90,9 +91,9 @@ void takeCells(
   }
 }
 
-/// Keeps only elements that are connected, face by face, to a face that is held or on the cut.
-/// Removes fragments that the cut leaves of a thin flap, and parts that are connected only by an
-/// edge and could rotate about it. Returns "", or a message about the fault.
+/// Keeps only elements that are connected, face by face, to a face that is held or on the cut. This
+/// removes fragments of thin flaps at the cut. It also removes parts that are connected only by an
+/// edge, because they could rotate about the edge. Returns "" or an error message.
 std::string removeLoose(CutOutPart& part)
 {
   MeshTopology topology;
@@ -114,7 +115,7 @@ std::string removeLoose(CutOutPart& part)
   return part.mesh.elements.empty() ? "nothing holds it" : "";
 }
 
-/// Removes all rims except those of the held part, so that cells follow no other rim.
+/// Removes all rims except those of the held part, so that cells follow only these rims.
 void keepHeldRims(PreparedSurface& surface)
 {
   MeshedSurface& wanted = surface.wanted;
@@ -161,7 +162,8 @@ std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPa
   wanted.interiorSpacing = InteriorRatio * cells.spacing;
   wanted.growth = Growth;
   wanted.deviation = DeviationRatio * cells.spacing;
-  wanted.isManifold = false; // has no effect on the tool, which is far away
+  // This has no effect at the tool, which is far from the affected places.
+  wanted.isManifold = false;
   CurvedTetrahedra curved;
   const std::string fault = fillPrepared(own, cells.spacing, ExpectedCells, {}, curved);
   if (!fault.empty())

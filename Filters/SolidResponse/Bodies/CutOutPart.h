@@ -10,22 +10,23 @@
 
 namespace palpate
 {
-/// The part of a surface in a box around a place.
+/// The part of a surface in a box around a position.
 struct CutOutSurface
 {
   PreparedSurface surface;
-  std::vector<CutPlane> sides; ///< the sides of the box that cut off a part of the surface
+  std::vector<CutPlane> sides; ///< the sides of the box at which the surface was cut
 };
 
-/// The part of a CutOutSurface, filled with cells that are fine at the place.
+/// The part of a CutOutSurface, filled with cells that are fine near the centre of the box.
 struct CutOutPart
 {
   VolumeMesh mesh;
-  std::vector<unsigned char> onCut; ///< per node: 1 if it is on the cut and not held
-  std::vector<unsigned char> held;  ///< per node: 1 if it is held
+  /// For each node: 1 if the node is on the cut and not held, else 0.
+  std::vector<unsigned char> onCut;
+  std::vector<unsigned char> held; ///< for each node: 1 if the node is held, else 0
 };
 
-/// Lengths of a part's cells.
+/// Edge lengths of the cells of a part.
 struct PartCells
 {
   double spacing = 0.0; ///< spacing at the surface outside the balls, mm
@@ -33,16 +34,16 @@ struct PartCells
 };
 
 /**
- * Cuts out the part of a mended and cut surface that is inside a box with half side `half` (mm)
- * around a place. Returns "", or a message about the fault. This function and fillPart() are safe
- * from any number of threads. Cost: a few tenths of a second for 100 thousand triangles.
+ * Cuts out the part of a mended and cut surface that is inside a box around `place`. `half` is half
+ * the side length of the box, mm. Returns "" or an error message. This function and fillPart() are
+ * thread-safe. Cost: a few tenths of a second for 100 thousand triangles.
  */
 std::string cutOutAround(
   const PreparedSurface& body, const Eigen::Vector3d& place, double half, CutOutSurface& part);
 
 /// Fills the part with quadratic tetrahedra. Elements that are not connected, face by face, to a
-/// face that is held or on the cut are left out. Returns "", or a message about the fault. Cost: 60
-/// µs per cell.
+/// face that is held or on the cut are left out. Returns "" or an error message. Cost: 60 µs per
+/// cell.
 std::string fillPart(const CutOutSurface& part, const PartCells& cells, CutOutPart& filled);
 } // namespace palpate
 

@@ -14,23 +14,27 @@ namespace palpate
 {
 namespace
 {
-// Lengths in contact radii.
-constexpr double BoxHalfSide = 5.0;    ///< half side of the part's box
+// The following lengths are in contact radii.
+constexpr double BoxHalfSide = 5.0;    ///< half the side length of the part's box
 constexpr double FineBallRadius = 1.4; ///< radius of the fine ball under the tool
-/// Length of the facets in that ball, for an error of the force of 1 % at the pole of a sphere.
+/// Length of the facets in the fine ball. It gives an error of the force of 1 % at the pole of a
+/// sphere.
 constexpr double FacetLength = 0.3;
-/// Radius and facet length of the balls at the rim of a flat end, for an error of 2 %.
+/// Radius and facet length of the balls at the rim of a flat end. They give an error of the force
+/// of 2 %.
 constexpr double RimBallRadius = 0.12;
 constexpr double FarFacetLength = 0.8;   ///< length of the facets away from the tool
 constexpr double SecondMeshFactor = 1.5; ///< factor on the cell lengths for the second mesh
 constexpr int RimBalls = 32;
 constexpr int MostBoxes = 4;
-constexpr double NextBoxFactor = 1.07; ///< factor on the box if the last one cannot be cut
-/// Factor on the box and its cells if the first result is not good enough. A larger part depends
-/// less on the coarse cells around it.
+/// Factor on the size of the box if the surface cannot be cut at the previous box.
+constexpr double NextBoxFactor = 1.07;
+/// Factor on the size of the box and its cells if the first result is not accurate enough. A larger
+/// part depends less on the coarse cells around it.
 constexpr double WiderBoxFactor = 1.6;
-constexpr double LoadDepth = 0.1; ///< depth at which the coarse cells are loaded
-/// Smallest half side of the box, in spacings of the coarse cells.
+/// Depth below the surface at which the loads act on the coarse cells.
+constexpr double LoadDepth = 0.1;
+/// Smallest half side length of the box, in spacings of the coarse cells.
 constexpr double CoarseBoxHalfSide = 2.5;
 } // namespace
 

@@ -17,11 +17,11 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t PointsPerValue = 6; ///< points per value
+constexpr std::size_t PointsPerValue = 6; ///< number of points from which a value is interpolated
 constexpr int FirstSearch = 24;           ///< number of nearest points in the first search
-constexpr int WiderSearch = 8;            ///< factor on that number for the second search
-constexpr std::size_t PointsOfPlane = 3;  ///< points that determine a plane
-constexpr double LargestTurn = 0.5;       ///< cos 60°
+constexpr int WiderSearch = 8;            ///< factor on FirstSearch for the second search
+constexpr std::size_t PointsOfPlane = 3;  ///< number of points that determine a plane
+constexpr double LargestTurn = 0.5;       ///< cos 60°, for the largest angle between normals
 } // namespace
 
 FacingPoints::FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdType)>& isTaken)
@@ -48,7 +48,7 @@ FacingPoints::FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdT
   }
 }
 
-/// Searches among the `search` nearest points.
+/// Searches for suitable points among the `search` nearest points.
 FacingPoints::Weights FacingPoints::find(int search, const double place[3], const Vector3& normal,
   const std::function<bool(vtkIdType)>& isWanted) const
 {

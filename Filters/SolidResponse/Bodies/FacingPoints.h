@@ -18,25 +18,25 @@ class vtkStaticPointLocator;
 
 namespace palpate
 {
-/// Points of a surface from which its arrays are interpolated to places nearby. Only points that
-/// face the same way are used, so that no value crosses a thin lobe.
+/// Points of a surface from which its arrays are interpolated to nearby positions. Only points with
+/// a similar normal are used, so that no value is taken from the opposite side of a thin lobe.
 class PALPATESOLIDRESPONSE_EXPORT FacingPoints
 {
 public:
-  /// Takes the points for which `isTaken` is true. The surface must consist of triangles.
+  /// Takes the points for which `isTaken` returns true. The surface must consist of triangles.
   FacingPoints(vtkPolyData* surface, const std::function<bool(vtkIdType)>& isTaken);
 
   bool isEmpty() const { return this->Ids.empty(); }
 
-  /// Ids and weights (sum 1) of the six nearest points whose normals are within 60° of `normal`,
-  /// weighted by 1/distance², the nearest first. Returns fewer points if the surface has fewer, and
-  /// none if no point faces that way. Safe from any number of threads.
+  /// Returns the ids and the weights of the six nearest points whose normals are within 60° of
+  /// `normal`, the nearest first. The weights are proportional to 1/distance² and have the sum 1.
+  /// Fewer points are returned if the surface has fewer such points. Thread-safe.
   std::vector<std::pair<vtkIdType, double>> around(
     const double place[3], const Vector3& normal) const;
 
-  /// Like around(), but returns only wanted points (empty function: all points). Searches the 24
-  /// nearest points. If these include fewer than three wanted points, the 192 nearest points are
-  /// searched.
+  /// Same as around(), but returns only points for which `isWanted` returns true; an empty function
+  /// accepts all points. Searches the 24 nearest points. If fewer than three of these are accepted,
+  /// searches the 192 nearest points.
   std::vector<std::pair<vtkIdType, double>> nearBy(const double place[3], const Vector3& normal,
     const std::function<bool(vtkIdType)>& isWanted = {}) const;
 

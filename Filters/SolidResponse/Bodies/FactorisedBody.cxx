@@ -80,14 +80,14 @@ std::string findGridArray(vtkAlgorithm* filter, vtkDataSetAttributes* data, vtkI
   if (!wanted || index >= wanted->GetNumberOfInformationObjects() ||
     !wanted->GetInformationObject(index)->Has(vtkAlgorithm::INPUT_PORT()))
   {
-    return {}; // never set: the constant property is used
+    return {}; // no array was set, so the constant property is used
   }
   vtkInformation* which = wanted->GetInformationObject(index);
   const char* name =
     which->Has(vtkDataObject::FIELD_NAME()) ? which->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   if (name && !*name)
   {
-    return {}; // an empty name resets the array
+    return {}; // an empty name means that no array is requested
   }
   array = name ? data->GetArray(name) : find(index);
   if (!array)

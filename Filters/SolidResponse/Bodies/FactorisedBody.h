@@ -16,36 +16,39 @@ namespace palpate
 /// Material and solver of a filter for elastic bodies.
 struct FactorRequest
 {
-  ElasticMaterial material;        ///< constants, used where there is no array
-  vtkDataArray* young = nullptr;   ///< Young's modulus per cell, MPa; null: the constant
-  vtkDataArray* poisson = nullptr; ///< Poisson's ratio per cell; null: the constant
-  int solver = 0;                  ///< a StiffnessFactor::Kind
-  double memoryLimit = 0.0;        ///< MiB; 0: nine tenths of the available memory
+  ElasticMaterial material; ///< material constants, used if there is no array
+  /// Young's modulus per cell, MPa; if it is null, the constant is used.
+  vtkDataArray* young = nullptr;
+  /// Poisson's ratio per cell; if it is null, the constant is used.
+  vtkDataArray* poisson = nullptr;
+  int solver = 0;           ///< solver, as a value of StiffnessFactor::Kind
+  double memoryLimit = 0.0; ///< MiB; 0 allows nine tenths of the available memory
 };
 
-/// Whether the elements allow this Poisson's ratio: 0 to LargestPoissonRatio.
+/// Returns whether the elements allow this Poisson's ratio, which must be from 0 to
+/// LargestPoissonRatio.
 bool isElementRatio(double ratio);
 
-/// Returns "", or a message that names the wrong property of a request.
+/// Returns "", or an error message that names the invalid property of a request.
 std::string checkFactorRequest(const FactorRequest& request);
 
-/// Number of bytes that may be used: the limit (given in MiB), or nine tenths of the memory
-/// available now if the limit is 0.
+/// Returns the number of bytes that may be used: `memoryLimit` (MiB) or, if it is 0, nine tenths of
+/// the memory that is available at the time of the call.
 double allowedMemory(double memoryLimit);
 
-/// Finds the cell array that is set as the filter's array to process; null if none is set. `find`
-/// returns the array if no name is set. Returns "", or a message about the fault.
+/// Finds the cell array that is set as the filter's array to process `index`. `array` is null if
+/// none is set. `find` returns the array if no name is set. Returns "" or an error message.
 std::string findCellArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
-/// As findCellArray, for a point array.
+/// Same as findCellArray, for a point array.
 std::string findPointArray(vtkAlgorithm* filter, vtkUnstructuredGrid* grid, int index,
   const std::function<vtkDataArray*(int)>& find, vtkDataArray*& array);
 
-/// Makes `body` from the grid and its point array `Fixed` and factorises it. Returns "", or a
-/// message about the fault. `memory` (MiB): memory of the factorisation, also set if it is refused.
-/// If `goOn(fraction of the work)` returns false the function ends at once and sets `ended`; `body`
-/// must then not be used.
+/// Creates `body` from the grid and its point array `Fixed`, and factorises it. Returns "" or an
+/// error message. `memory` receives the memory of the factorisation, MiB, also if it is refused. If
+/// `goOn(fraction of the work)` returns false, the function returns immediately and sets `ended`.
+/// In this case `body` must not be used.
 std::string factoriseBody(vtkUnstructuredGrid* grid, const FactorRequest& request,
   const std::function<bool(double)>& goOn, ElasticBody& body, double& memory, bool& ended);
 } // namespace palpate

@@ -70,7 +70,7 @@ const std::vector<double>* FilledCells::fractions(vtkUnstructuredGrid* grid, vtk
   this->Fractions.assign(this->Balls.size(), 0.0);
   if (this->hasWithin(bounds.data(), this->Near.back()))
   {
-    this->Fractions[this->Near.back()] = 1.0; // where balls overlap, the last ball counts
+    this->Fractions[this->Near.back()] = 1.0; // where balls overlap, the last of them counts
     return &this->Fractions;
   }
   this->count(grid->GetCell(id));

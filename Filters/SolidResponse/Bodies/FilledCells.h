@@ -22,18 +22,20 @@ struct BodyBall
   double radius = 0.0;
 };
 
-/// Computes the fraction of a cell's volume that each of several balls fills, from n³ points of the
-/// cell (CellPlaces). A point in several balls belongs to the last of them.
+/// Computes the fraction of a cell's volume that each of several balls fills. The fractions are
+/// counted at n³ points of the cell (CellPlaces). A point that is in several balls belongs to the
+/// last of them.
 class FilledCells
 {
 public:
   FilledCells(std::vector<BodyBall> balls, int subdivisions);
 
-  /// The fractions in cell `id`, one per ball; null if no ball reaches into the cell.
+  /// Returns the fractions in the cell `id`, one per ball. Returns null if no ball intersects the
+  /// cell.
   const std::vector<double>* fractions(vtkUnstructuredGrid* grid, vtkIdType id);
 
 private:
-  /// Finds the indices of the balls that reach into a box.
+  /// Finds the indices of the balls that intersect a box.
   void findNear(const double* bounds);
   bool hasWithin(const double* bounds, std::size_t ball) const;
   void count(vtkCell* cell);

@@ -12,20 +12,20 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The scanned surface of a body, finer than the surface of its solid. The response of each point
-/// follows from the nearby landmarks of the solid that face the same way, and from the curvature at
-/// the point itself.
+/// The scanned surface of a body, which is finer than the surface of the body's solid. The response
+/// at each point follows from the nearby landmarks of the solid that have a similar normal, and
+/// from the curvature of the surface at the point.
 class FinerSurface
 {
 public:
-  /// `surface` must have passed checkTriangles; `normals`: three per point. `solid`: the surface to
-  /// which the landmarks' point numbers refer. `a`: largest contact radius for which the shape is
-  /// needed, mm. All arguments must outlive this object.
+  /// `surface` must have passed checkTriangles. `normals` has three numbers per point. `solid` is
+  /// the surface to which the point numbers of the landmarks refer. `a` is the largest contact
+  /// radius for which the shape is needed, mm. All arguments must outlive this object.
   FinerSurface(vtkPolyData* surface, const float* normals, vtkPolyData* solid,
     const LandmarkKernels& landmarks, double a);
 
-  /// Returns the data of the surface that the response of true shape needs. Valid as long as this
-  /// object.
+  /// Returns the surface data that the response of the true shape needs. The data are valid as long
+  /// as this object.
   LandmarkSurface view() const;
 
 private:
@@ -38,10 +38,12 @@ private:
   const LandmarkKernels& Landmarks;
   const float* Normals;
   BodyMesh Mesh;
-  double Reach;           ///< radius to which a contact needs the surface, mm
-  FacingPoints OnSurface; ///< all points
-  std::vector<std::vector<std::size_t>> NearbyLandmarks; ///< landmarks around each point
-  std::vector<float> Turns; ///< angle by which the surface turns at each point, rad
+  double Reach;           ///< radius within which a contact needs the surface, mm
+  FacingPoints OnSurface; ///< all points of the surface
+  /// Landmarks around each point of the surface.
+  std::vector<std::vector<std::size_t>> NearbyLandmarks;
+  /// Angle by which the normal of the surface varies around each point, rad.
+  std::vector<float> Turns;
 };
 } // namespace palpate
 

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// A corner with a smaller weight is ignored: the weight is a rounding error.
+/// A corner with a smaller weight is ignored, because the weight is a rounding error.
 constexpr double LeastShare = 1e-6;
 } // namespace
 
@@ -28,7 +28,7 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
   , Points(vtkSmartPointer<vtkStaticPointLocator>::New())
   , IsHeld(std::move(isHeld))
 {
-  surface->BuildCells(); // must be done before threads read the surface
+  surface->BuildCells(); // this must be done before several threads read the surface
   this->Locator->SetDataSet(surface);
   this->Locator->BuildLocator();
   this->Points->SetDataSet(surface);
@@ -42,8 +42,9 @@ HeldPlaces::HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHe
   }
 }
 
-/// Whether a place is farther from the box of the held points than from some point of the surface;
-/// it then cannot be held. This quick check is sufficient for most places.
+/// Returns whether a position is farther from the bounding box of the held points than from some
+/// point of the surface. In this case it cannot be held. This quick check is sufficient for most
+/// positions.
 bool HeldPlaces::isFar(const Eigen::Vector3d& place) const
 {
   if (!this->Held.IsValid())
@@ -67,7 +68,7 @@ bool HeldPlaces::contain(const double place[3]) const
   const Eigen::Vector3d from(place);
   if (!from.allFinite())
   {
-    return false; // VTK finds no closest place for NaN or infinity
+    return false; // VTK finds no closest position for NaN or infinity
   }
   if (this->isFar(from))
   {
@@ -86,7 +87,7 @@ bool HeldPlaces::contain(const double place[3]) const
     this->Surface->GetPoint(corners->GetId(static_cast<vtkIdType>(k)), away[k].data());
     away[k] -= closest.at;
   }
-  // The weight of a corner is the area of the triangle formed by the place and the other two
+  // The weight of a corner is the area of the triangle formed by the position and the other two
   // corners.
   const Eigen::Vector3d shares(
     away[1].cross(away[2]).norm(), away[2].cross(away[0]).norm(), away[0].cross(away[1]).norm());

@@ -16,16 +16,16 @@ class vtkStaticPointLocator;
 
 namespace palpate
 {
-/// Finds out whether a place belongs to the held part of a solid: its closest place on the surface
-/// must be on held points.
+/// Determines whether a position belongs to the held part of a solid. It does if its closest
+/// position on the surface is at or between held points.
 class HeldPlaces
 {
 public:
-  /// `surface` must consist of triangles. `isHeld`: whether a point of `surface` is held.
+  /// `surface` must consist of triangles. `isHeld` returns whether a point of `surface` is held.
   HeldPlaces(vtkPolyData* surface, std::function<bool(vtkIdType)> isHeld);
 
-  /// Whether the closest place of the surface is a held point or between held points. False for a
-  /// place that is not finite. Safe from any number of threads.
+  /// Returns whether the closest position on the surface is a held point or between held points.
+  /// Returns false if `place` is not finite. Thread-safe.
   bool contain(const double place[3]) const;
 
 private:

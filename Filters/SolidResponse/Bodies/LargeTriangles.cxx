@@ -21,9 +21,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double LargeSide = 2.0; // smallest side of a large triangle, in contact radii
+constexpr double LargeSide = 2.0; // smallest side length of a large triangle, in contact radii
 
-/// The sampled places inside a triangle, as area coordinates.
+/// The sampled positions inside a triangle, as area coordinates.
 const std::array<Vector3d, 4> Places = { Vector3d::Constant(1.0 / 3.0),
   Vector3d(4.0, 1.0, 1.0) / 6.0, Vector3d(1.0, 4.0, 1.0) / 6.0, Vector3d(1.0, 1.0, 4.0) / 6.0 };
 
@@ -37,7 +37,7 @@ std::vector<LargeTriangle> sampleTriangles(
   vtkPolyData* surface, const YieldField& field, const std::vector<double>& radii)
 {
   std::vector<LargeTriangle> found;
-  std::vector<Eigen::Matrix3d> places; // a corner per column
+  std::vector<Eigen::Matrix3d> places; // corners of each triangle, one corner per column
   vtkNew<vtkIdList> points;
   for (vtkIdType t = 0; t < surface->GetNumberOfCells(); ++t)
   {
@@ -71,7 +71,7 @@ std::vector<LargeTriangle> sampleTriangles(
   return found;
 }
 
-/// Compliances for one contact radius.
+/// The compliances for one contact radius.
 class RadiusYield
 {
 public:
@@ -120,8 +120,8 @@ public:
   }
 
 private:
-  /// Returns the largest difference between the compliances at the sampled places and the value
-  /// interpolated from the corners times `share`.
+  /// Returns the largest difference between the compliances at the sampled positions and `share`
+  /// times the value interpolated from the corners.
   double difference(const LargeTriangle& triangle, double share) const
   {
     double most = 0.0;

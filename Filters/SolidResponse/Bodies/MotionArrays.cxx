@@ -28,7 +28,7 @@ namespace
 /// are interpolated.
 using PartsOf = std::function<std::vector<std::pair<vtkIdType, double>>(std::size_t)>;
 
-/// Adds a point array of zeros. It replaces an array of the same name.
+/// Adds a point array of zeros. Replaces an array of the same name.
 vtkSmartPointer<vtkFloatArray> addArray(vtkPolyData* surface, const std::string& name, int width)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -45,7 +45,7 @@ void fillModes(const GlobalModes& modes, const PartsOf& partsOf, vtkPolyData* su
   for (std::size_t k = modes.fields.size();
        surface->GetPointData()->HasArray(globalModeName(k).c_str()) != 0; ++k)
   {
-    // The array may belong to another body.
+    // An existing array may belong to another body.
     surface->GetPointData()->RemoveArray(globalModeName(k).c_str());
   }
   std::vector<float*> to;
@@ -97,7 +97,7 @@ void fillNear(const SurfaceMotion& motion, const PartsOf& partsOf, vtkPolyData* 
     });
 }
 
-/// Interpolates from nearby points that face the same way as the points of a surface.
+/// Interpolates from nearby points whose normals are similar to those of the surface's points.
 PartsOf nearbyParts(const FacingPoints& points, const BodyMesh& mesh, vtkFloatArray* normals)
 {
   return [&points, &mesh, normals](std::size_t i)

@@ -9,16 +9,16 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Attaches the motion of a body as arrays of its surface: `GlobalMode0`..., `GlobalModeSign` and
-/// `NearField`, in the form that BodyField reads.
+/// Attaches the motion of a body to its surface `solid`, as the arrays `GlobalMode0`...,
+/// `GlobalModeSign` and `NearField`. BodyField reads these arrays.
 void attachMotion(const SurfaceMotion& motion, vtkPolyData* solid);
 
-/// Like the function above, for another surface of the body with these point `normals`. The values
-/// at each point are interpolated from nearby points of `solid` that face the same way.
+/// Same as above, for another surface of the body with the point normals `normals`. The values at
+/// each point are interpolated from nearby points of `solid` with a similar normal.
 void attachMotion(
   const SurfaceMotion& motion, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 
-/// Attaches only the modes to another surface of the body. They are 0 where the body is held.
+/// Attaches only the modes to another surface of the body. The modes are 0 where the body is held.
 void attachModes(
   const GlobalModes& modes, vtkPolyData* solid, vtkFloatArray* normals, vtkPolyData* surface);
 } // namespace palpate

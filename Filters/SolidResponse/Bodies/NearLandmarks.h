@@ -14,21 +14,22 @@ namespace palpate
 {
 class LandmarkKernels;
 
-/// Search for the landmarks of a solid around places of a surface that is close to it.
+/// Search for the landmarks of a solid around positions on a surface that is close to the solid.
 class NearLandmarks
 {
 public:
-  /// `solid`: the surface to which the landmarks' point numbers refer. Both arguments must outlive
-  /// this object.
+  /// `solid` is the surface to which the point numbers of the landmarks refer. Both arguments must
+  /// outlive this object.
   NearLandmarks(vtkPolyData* solid, const LandmarkKernels& landmarks);
 
-  /// Indices in LandmarkKernels::points() of the landmarks that face the same way, the nearest
-  /// first. Empty if the place is in the held part of the solid. Safe from any number of threads.
+  /// Returns the indices in LandmarkKernels::points() of nearby landmarks with a similar normal,
+  /// the nearest first. The result is empty if `place` is in the held part of the solid.
+  /// Thread-safe.
   std::vector<std::size_t> around(const double place[3], const Vector3& normal) const;
 
 private:
   const LandmarkKernels& Landmarks;
-  FacingPoints OnSolid; ///< landmarks only
+  FacingPoints OnSolid; ///< landmarks on the surface of the solid
   HeldPlaces Held;      ///< held part of the solid
 };
 } // namespace palpate

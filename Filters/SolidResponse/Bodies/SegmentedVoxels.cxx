@@ -22,12 +22,12 @@ namespace palpate
 {
 namespace
 {
-constexpr int Margin = 2; // empty voxels around the tissues
+constexpr int Margin = 2; // number of empty voxels around the tissues
 constexpr std::size_t LeastOfRegion = 8;
 constexpr std::size_t ListedLabels = 20;
 constexpr std::size_t MostLabels = 1000;
 
-/// Names the labels of an image, for a message.
+/// Returns a list of the labels of an image, for an error message.
 std::string listLabels(const std::set<double>& found)
 {
   std::string text;
@@ -119,7 +119,7 @@ std::string SegmentedVoxels::take(
   return {};
 }
 
-/// Calls use(neighbour) for the up to six voxels that share a face with `voxel`.
+/// Calls use(neighbour) for each of the at most six voxels that share a face with `voxel`.
 template <class Use>
 void SegmentedVoxels::visitNeighbours(std::size_t voxel, const Use& use) const
 {
@@ -139,8 +139,8 @@ void SegmentedVoxels::visitNeighbours(std::size_t voxel, const Use& use) const
   }
 }
 
-/// Returns the voxels that are connected with `seed` through voxels for which `belongs` is true,
-/// and marks them.
+/// Returns the voxels that are connected to `seed` through voxels for which `belongs` returns true.
+/// Marks these voxels in `isTaken`.
 template <class Belongs>
 std::vector<std::size_t> SegmentedVoxels::takeRegion(
   std::size_t seed, std::vector<char>& isTaken, const Belongs& belongs) const
@@ -197,7 +197,8 @@ std::size_t SegmentedVoxels::fillCavities(double volume)
 {
   const auto isEmpty = [this](std::size_t voxel) { return this->Numbers[voxel] == Empty; };
   std::vector<char> isTaken(this->Numbers.size(), 0);
-  this->takeRegion(0, isTaken, isEmpty); // the outside, which is connected through the margin
+  // This marks the outside, which is connected through the margin.
+  this->takeRegion(0, isTaken, isEmpty);
   std::vector<std::size_t> filled;
   std::size_t regions = 0;
   const double voxel = this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
@@ -224,8 +225,8 @@ std::size_t SegmentedVoxels::fillCavities(double volume)
   return regions;
 }
 
-/// Returns the tissue of each voxel. An empty voxel gets the tissue that is reached by the fewest
-/// steps through faces.
+/// Returns the tissue of each voxel. An empty voxel gets the tissue with the fewest steps through
+/// faces from the voxel.
 std::vector<std::int16_t> SegmentedVoxels::nearestTissues() const
 {
   std::vector<std::int16_t> nearest = this->Numbers;
@@ -275,7 +276,7 @@ double SegmentedVoxels::area() const
   std::size_t step = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    // The margin is empty, so each outer face of a tissue is between two voxels of the box.
+    // The margin is empty. Therefore each outer face of a tissue is between two voxels of the box.
     for (std::size_t i = step; i < this->Numbers.size(); ++i)
     {
       const bool isFace = (this->Numbers[i] == Empty) != (this->Numbers[i - step] == Empty);

@@ -26,48 +26,51 @@ struct Tissue
   ElasticMaterial material;
 };
 
-/// A region of one tissue that other tissues enclose. Lengths in mm.
+/// A region of one tissue that is enclosed by other tissues. Lengths are in mm.
 struct EnclosedRegion
 {
   Eigen::Vector3d middle;
   double radius = 0.0; ///< radius of the ball around `middle` that contains the voxels
-  double depth = 0.0;  ///< smallest distance from the outside of the body
+  double depth = 0.0;  ///< smallest distance of the region from the outside of the body
 };
 
 /**
  * The voxels of a labelled image that belong to a body, each with the number of its tissue. All
- * other voxels are empty. The box of the tissues is cut out, with a margin of two empty voxels
- * around it, so that the body is closed where the image ends. Voxels are connected through faces.
+ * other voxels are empty. The object stores only the bounding box of the tissues with a margin of
+ * two empty voxels. The margin closes the body where the image ends. Voxels are connected through
+ * faces.
  */
 class SegmentedVoxels
 {
 public:
-  /// Takes the voxels of the tissues. Returns "", or a message that names a label that is not in
-  /// the image.
+  /// Takes the voxels of the tissues. Returns "", or an error message that names a label that is
+  /// not in the image.
   std::string take(vtkImageData* image, vtkDataArray* values, const std::vector<Tissue>& tissues);
 
-  /// Empties the voxels that are not connected with the largest region of tissue. Returns their
+  /// Empties the voxels that are not connected to the largest region of tissue. Returns the emptied
   /// fraction of the voxels of tissue.
   double keepLargestRegion();
   /// Fills empty regions inside the body that are smaller than `volume` (mm³) with the tissues
-  /// around them. Returns the number of regions.
+  /// around them. Returns the number of filled regions.
   std::size_t fillCavities(double volume);
 
-  /// Volume of the tissues, mm³.
+  /// Returns the volume of the tissues, mm³.
   double volume() const;
-  /// Area of the outer surface of the tissues without the steps of the voxels, mm²: two thirds of
-  /// the area of the voxels' faces, which is the mean ratio over all orientations of a plane.
+  /// Returns the area of the outer surface of the tissues, mm², corrected for the steps of the
+  /// voxels. It is two thirds of the area of the voxels' faces, because two thirds is the mean
+  /// ratio over all orientations of a plane.
   double area() const;
-  /// The smallest side of a voxel, mm.
+  /// Returns the smallest side length of a voxel, mm.
   double smallestSide() const;
 
-  /// The regions of at least eight voxels that other tissues enclose, the largest first.
+  /// Returns the regions of at least eight voxels that are enclosed by other tissues, the largest
+  /// first.
   std::vector<EnclosedRegion> findEnclosedRegions() const;
 
-  /// Returns a mask: 1 in tissue, 0 in empty voxels.
+  /// Returns a mask that is 1 in tissue and 0 in empty voxels.
   SkinScan mask() const;
-  /// The box as an image whose point scalars (short) are numbers of tissues. Empty voxels get the
-  /// tissue that is nearest to them.
+  /// Returns the box as an image. Its point scalars (short) are the numbers of the tissues. Empty
+  /// voxels get the number of the nearest tissue.
   vtkSmartPointer<vtkImageData> spreadTissues() const;
 
 private:
@@ -82,10 +85,10 @@ private:
   std::vector<std::int16_t> nearestTissues() const;
   Eigen::Vector3d placeOf(std::size_t voxel) const;
 
-  vtkSmartPointer<vtkImageData> Box; ///< place and extent of the voxels, without arrays
+  vtkSmartPointer<vtkImageData> Box; ///< position and extent of the voxels, without arrays
   std::array<std::size_t, 3> Size{};
   std::array<double, 3> Spacing{};
-  std::vector<std::int16_t> Numbers; ///< Empty, or the number of the tissue; x varies fastest
+  std::vector<std::int16_t> Numbers; ///< empty, or the number of the tissue; x varies fastest
 };
 } // namespace palpate
 

@@ -25,7 +25,7 @@ namespace
 constexpr const char* LawName = "SimplerLaw";
 constexpr const char* YoungName = "SimplerLawYoungsModulus";
 constexpr const char* PoissonName = "SimplerLawPoissonRatio";
-constexpr double StoredExponent = 1.0; // exponent of a response of true shape
+constexpr double StoredExponent = 1.0; // exponent of storage of a response of the true shape
 
 vtkSmartPointer<vtkDoubleArray> pointValues(const char* name, vtkIdType count)
 {
@@ -60,11 +60,11 @@ std::string respondByLaw(const ElasticBody& body, vtkPolyData* surface, const Si
   request.arrays = materialArrays(given, { YoungName, law.thicknesses, "", PoissonName, "" });
   request.samples = samples;
   request.terms.errorTolerance = 0.0;
-  std::string warning; // points without a law keep their curves
+  std::string warning; // not used, because points without a law keep their curves
   return attachResponse(Ranks(), given, request, {}, output, warning);
 }
 
-/// The law's curves, sampled at the depths of the curves of true shape.
+/// The curves of the law, sampled at the depths of the curves of the true shape.
 class ResampledLaw
 {
 public:

@@ -13,23 +13,26 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The law with which finite elements of true shape are compared: a half-space of the material at
-/// each point with the curvature of the surface, or a layer on a rigid base.
+/// The law with which the finite-element response of the true shape is compared. It is the law of a
+/// half-space with the material at each point and the curvature of the surface, or that of a layer
+/// on a rigid base.
 struct SimplerLaw
 {
   vtkContactTool* tool = nullptr;
   double deflection = 0.0; ///< depth of the last sample, mm
-  double thickness = 0.0;  ///< mm; 0: a half-space
-  std::string thicknesses; ///< point array of the surface with thicknesses; "": none
-  double tolerance = 0.01; ///< largest relative change of the force
+  double thickness = 0.0;  ///< thickness of the layer, mm; 0 means a half-space
+  /// Name of the point array of the surface with thicknesses; "" if there is none.
+  std::string thicknesses;
+  double tolerance = 0.01; ///< largest relative change of the force for which the curve is replaced
 };
 
 /**
- * Replaces the curves of true shape by those of a simpler law at each point where the force changes
- * by no more than the tolerance, down to the point's range. `change` (one component per point):
- * largest relative change of the law's force by true shape; NaN if one of the two has no curve.
- * `reason`: a sentence with the number of points with each curve and the size of the change.
- * Returns "", or a message about the fault.
+ * Replaces the curves of the true shape by those of a simpler law. This is done at each point where
+ * the replacement changes the force by no more than the tolerance, at depths up to the point's
+ * range. `change` (one component per point) receives the largest relative difference of the force
+ * of the true shape from that of the law. It is NaN if one of the two has no curve. `reason`
+ * receives a sentence with the number of points with each curve and the size of the change. Returns
+ * "" or an error message.
  */
 std::string keepSimplerLaw(const ElasticBody& body, vtkPolyData* surface, const SimplerLaw& law,
   ResponseStorage& storage, vtkFloatArray* change, std::string& reason);

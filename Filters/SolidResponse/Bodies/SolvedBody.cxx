@@ -28,12 +28,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double FactorisedShare = 0.17; // fraction of the progress for the factorisation
-constexpr double FittedShare = 0.5; // fraction of the progress for the fits, on a finer surface
-constexpr double WiderThanHalfSpace = 1.42; // √2 on a thin layer that can expand sideways
+constexpr double FactorisedShare = 0.17; // fraction of the progress that the factorisation takes
+// Fraction of the progress for the kernel fits, on a finer surface.
+constexpr double FittedShare = 0.5;
+// Ratio of contact radii; it is √2 on a thin layer that can expand sideways.
+constexpr double WiderThanHalfSpace = 1.42;
 
-/// Finds the points of the surface that are pressed: all points, or those where the grid's point
-/// array `Pressed` is not 0. Returns "", or a message about the fault of that array.
+/// Finds the pressed points of the surface. These are all points, or the points at which the grid's
+/// point array `Pressed` is not 0. Returns "" or an error message about this array.
 std::string findPressed(
   vtkUnstructuredGrid* grid, const BodySurface& surface, std::vector<std::int32_t>& points)
 {
@@ -59,19 +61,22 @@ std::string findPressed(
 }
 } // namespace
 
-/// A body and its H, and the input from which they were made.
+/// A body and the regular part H of its Green function, and the input from which they were
+/// computed.
 struct SolvedBody::Kept
 {
   ElasticBody Body;
   RegularGreen Green{ Body };
-  std::unique_ptr<LandmarkKernels> Landmarks; ///< null: not requested
-  SurfaceMotion Motion;                       ///< has no points if it was not requested
+  std::unique_ptr<LandmarkKernels> Landmarks; ///< null if the kernels were not requested
+  SurfaceMotion Motion;                       ///< without points if the motion was not requested
   double Spacing = 0.0;                       ///< distance of the sources, mm
   bool IsEven = false;
-  double Radius = 0.0;       ///< solved contact radius, mm; 0: nothing is solved yet
-  double FactorMemory = 0.0; ///< MiB
-  double GreenMemory = 0.0;  ///< MiB
-  /// A copy that keeps the arrays alive, so that no new array can have the address of a freed one.
+  /// Contact radius for which the body is solved, mm; 0 if nothing is solved yet.
+  double Radius = 0.0;
+  double FactorMemory = 0.0; ///< memory of the factor, MiB
+  double GreenMemory = 0.0;  ///< memory of H, MiB
+  /// Copy of the grid. It keeps the arrays alive, so that no new array can have the address of a
+  /// freed array.
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkMTimeType GridTime = 0;
   FactorRequest Factor;
@@ -119,7 +124,8 @@ std::string SolvedBody::solve(
   std::string fault;
   if (!isSame)
   {
-    this->Current = std::make_unique<Kept>(); // frees the former factor first
+    // This frees the former factor before the new one is computed.
+    this->Current = std::make_unique<Kept>();
     fault = factoriseBody(grid, request.factor, FilterStage{ stage.filter, stage.from, middle },
       this->Current->Body, cost.memory, cost.ended);
     if (!fault.empty() || cost.ended)

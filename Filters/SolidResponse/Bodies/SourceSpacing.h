@@ -10,10 +10,11 @@
 
 namespace palpate
 {
-/// Name of the field array of a volume that gives the SourceSpacing of its responses, mm.
+/// Name of the field array of a volume with the SourceSpacing of responses on this volume, mm.
 constexpr const char* SourceSpacingName = "SourceSpacing";
 
-/// The SourceSpacing of a response, mm: `given` unless it is 0, else that of the volume, else 0.
+/// Returns the SourceSpacing of a response, mm. It is `given` unless `given` is 0. Otherwise it is
+/// the value of the volume's field array, or 0 if the volume has none.
 inline double sourceSpacing(vtkUnstructuredGrid* volume, double given)
 {
   vtkDataArray* own = volume->GetFieldData()->GetArray(SourceSpacingName);

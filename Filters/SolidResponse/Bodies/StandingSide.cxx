@@ -14,14 +14,16 @@ namespace palpate
 {
 namespace
 {
-// Held depth, as a fraction of the extent along the axis; also the step by which it increases.
+// Initial held depth, as a fraction of the extent along the axis. It is also the step by which the
+// depth increases.
 constexpr double HeldDepth = 0.03;
 constexpr int MostSteps = 5;
-// Smallest held area, as a fraction of that of the bounding box, both along the axis.
+// Smallest held area, as a fraction of the area of the bounding box. Both areas are projected along
+// the axis.
 constexpr double Support = 0.25;
 // Depth of a face that counts as flat, as a fraction of the extent along the axis.
 constexpr double FlatDepth = 0.0005;
-// Smallest flat area of a flat side, as a fraction of its held area.
+// Smallest flat area of a side that counts as flat, as a fraction of the held area of the side.
 constexpr double FlatShare = 0.9;
 constexpr double Equal = 1e-6;           // relative difference below which areas count as equal
 constexpr double UpperShare = 1.0 / 1.5; // factor on the area of an upper side
@@ -30,8 +32,8 @@ struct Side
 {
   int axis;
   bool isUpper;
-  double held = 0.0; ///< area within HeldDepth, seen along the axis, mm²
-  double flat = 0.0; ///< area within FlatDepth, seen along the axis, mm²
+  double held = 0.0; ///< area within HeldDepth, projected along the axis, mm²
+  double flat = 0.0; ///< area within FlatDepth, projected along the axis, mm²
 
   double rank() const { return this->isUpper ? UpperShare * this->held : this->held; }
 };

@@ -17,19 +17,21 @@ namespace palpate
 {
 namespace
 {
-/// Means of (r/a)^{2m} over the pressure of a sphere and of a flat end.
+/// Means of (r/a)^{2m}, weighted by the pressure of a sphere and of a flat end.
 const Eigen::Vector4d UnderSphere(1.0, 2.0 / 5.0, 8.0 / 35.0, 16.0 / 105.0);
 const Eigen::Vector4d UnderFlat(1.0, 2.0 / 3.0, 8.0 / 15.0, 16.0 / 35.0);
 
-/// Smallest compliance, as a fraction of that of a contact on a half-space. A smaller value means
-/// that the contact reaches the held part, where the series of the kernel does not converge.
+/// Smallest compliance, as a fraction of the compliance of a contact on a half-space. A smaller
+/// value means that the contact reaches the held part, where the series of the kernel does not
+/// converge.
 constexpr double LeastCompliance = -0.4;
 
-/// Error of the force if C(a) is used for all radii r < a although C(r) = C₀ + β r²: ratio of the
-/// largest error at r < a to the error that the difference C(a) - C₀ would cause at a.
+/// Error of the force if C(a) is used for all radii r < a, although C(r) = C₀ + β r². The constant
+/// is the ratio of the largest error at r < a to the error that the difference C(a) - C₀ would
+/// cause at a.
 constexpr double OfGrowth = 2.0 / 3.0;
 
-/// Compliance C at one place.
+/// Compliance C at one position.
 class PlaceYield
 {
 public:

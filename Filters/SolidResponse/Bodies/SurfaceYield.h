@@ -16,16 +16,17 @@ class LandmarkKernels;
 class MeshDifference;
 
 /// Compliance of a body in addition to that of a half-space, at the points of its surface, mm/N.
-/// The values of all points for the first contact radius are followed by those for the next.
+/// The values of all points for the first contact radius are followed by the values for the next
+/// contact radius.
 struct SurfaceYield
 {
   std::vector<double> compliance;
-  std::vector<double> error;         ///< >= 0
-  std::vector<unsigned char> status; ///< a PatchStatus per point
+  std::vector<double> error;         ///< error of the compliance, mm/N, >= 0
+  std::vector<unsigned char> status; ///< PatchStatus of each point
 };
 
-/// Compliance of a body in addition to that of a half-space at one place, mm/N; one value per
-/// contact radius.
+/// Compliance of a body in addition to that of a half-space at one position, mm/N, with one value
+/// per contact radius.
 struct SpotYield
 {
   std::vector<double> compliance;
@@ -33,15 +34,16 @@ struct SpotYield
   unsigned char status = 0;
 };
 
-/// The compliance at any place of a surface. `solid`: the surface to which the landmarks' point
-/// numbers refer. `meshes`: null if there is no second mesh. All arguments must outlive this
-/// object.
+/// The compliance at any position of a surface. `solid` is the surface to which the point numbers
+/// of the landmarks refer. `meshes` is null if there is no second mesh. All arguments must outlive
+/// this object.
 class YieldField
 {
 public:
   YieldField(vtkPolyData* solid, const LandmarkKernels& landmarks, const MeshDifference* meshes);
 
-  /// Safe from any number of threads.
+  /// Returns the compliance at a position with the given normal, for each contact radius.
+  /// Thread-safe.
   SpotYield at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
     const std::vector<double>& radii) const;
 
@@ -51,20 +53,22 @@ private:
   const LandmarkKernels& Landmarks;
   NearLandmarks Near;
   const MeshDifference* Meshes;
-  double Modulus; ///< reduced, MPa
+  double Modulus; ///< reduced modulus E*, MPa
 };
 
 /**
  * Computes the compliance C in series with the law of a tool on a half-space: δ = δ_local(F) + C F.
- * C is the mean of H (RegularGreen) over both of its points, weighted by the pressure of a round
+ * C is the mean of H(x, X) (RegularGreen) over x and X, both weighted by the pressure of a round
  * tool with one of the contact radii.
  *
- * The error includes the elements, the interpolation between the sources of H, the order of the
- * kernel, the difference between a round tool and a flat end, and the change of C from the first
- * touch to this radius. At points whose status is not Valid, C is 0 and its error is that of a
- * contact on a half-space. Large triangles are checked inside as well (LargeTriangles.h).
+ * The error includes the error of the elements, of the interpolation between the sources of H and
+ * of the order of the kernel. It also includes the difference between a round tool and a flat end,
+ * and the change of C from the first touch to the contact radius. At points whose status is not
+ * Valid, C is 0 and its error is that of a contact on a half-space. Large triangles are also
+ * checked at points inside them (LargeTriangles.h).
  *
- * `surface` must have passed checkTriangles; `normals`: three per point. `radii`: descending.
+ * `surface` must have passed checkTriangles. `normals` has three numbers per point. `radii` (mm)
+ * are in descending order.
  */
 SurfaceYield yieldOf(vtkPolyData* surface, const float* normals, const YieldField& field,
   const std::vector<double>& radii);

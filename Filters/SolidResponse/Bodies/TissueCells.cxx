@@ -26,9 +26,9 @@ namespace palpate
 {
 namespace
 {
-constexpr vtkIdType ScannedCellsPerAbortCheck = 4096; // cells between checks for an abort
+constexpr vtkIdType ScannedCellsPerAbortCheck = 4096; // number of cells between checks for an abort
 
-/// Reads an image at points.
+/// Reads values of an image at points.
 class ScanReader
 {
 public:
@@ -38,8 +38,8 @@ public:
   {
   }
 
-  /// Reads the value of the nearest voxel, or interpolates the eight nearest voxels trilinearly.
-  /// Returns false outside the image.
+  /// Reads the value of the nearest voxel, or interpolates trilinearly between the eight nearest
+  /// voxels. Returns false if the position is outside the image.
   bool read(const std::array<double, 3>& place, bool nearest, double& value) const
   {
     std::array<double, 3> index{};
@@ -52,7 +52,7 @@ public:
     {
       const double low = extent[2 * k];
       const double high = extent[2 * k + 1];
-      // The outermost voxels extend by half a voxel.
+      // The outermost voxels extend by half a voxel beyond their centres.
       if (!(index[k] >= low - 0.5 && index[k] <= high + 0.5))
       {
         return false;
@@ -106,7 +106,8 @@ ElasticMaterial onScale(const TissueMap& map, double value)
     a.poissonRatio + part * (b.poissonRatio - a.poissonRatio) };
 }
 
-/// Returns the most frequent material of a cell, with the other materials mixed in one by one.
+/// Returns the most frequent material of a cell, into which the other materials are mixed one by
+/// one.
 ElasticMaterial mixTissues(std::vector<std::pair<double, ElasticMaterial>>& parts)
 {
   std::stable_sort(
@@ -189,7 +190,7 @@ private:
   const TissueMap& Known;
   bool HasLabels;
   ElasticMaterial Outside;
-  /// Volumes by label; the key infinity is for the volume outside the image.
+  /// Volume of each label. The key infinity represents the volume outside the image.
   std::map<double, double> Volumes;
   double LogModulus = 0.0;
   double Ratio = 0.0;

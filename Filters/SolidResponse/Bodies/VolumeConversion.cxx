@@ -21,7 +21,7 @@ namespace palpate
 {
 namespace
 {
-/// A voxel's corners in the order of a hexahedron's.
+/// The corners of a voxel in the order of a hexahedron's corners.
 constexpr std::array<int, 8> VoxelCorner = { 0, 1, 3, 2, 4, 5, 7, 6 };
 
 bool elementKindOf(int cellType, ElementKind& kind)
@@ -49,7 +49,7 @@ std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh)
   std::ostringstream text;
   const vtkIdType points = grid->GetNumberOfPoints();
   const vtkIdType cells = grid->GetNumberOfCells();
-  // There are three unknowns per point, numbered by int.
+  // There are three unknowns per point, and the unknowns are numbered by int.
   if (points > std::numeric_limits<int>::max() / 3 || cells > std::numeric_limits<int>::max())
   {
     text << points << " points are too many to be solved";

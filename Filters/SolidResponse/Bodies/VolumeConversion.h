@@ -14,14 +14,14 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// Copies nodes and elements of a grid to `mesh`. Returns "", or a message with id and type of a
-/// cell that is not a hexahedron, voxel, linear or quadratic tetrahedron.
+/// Copies the nodes and elements of a grid to `mesh`. Returns "", or an error message with the id
+/// and the type of a cell that is not a hexahedron, a voxel, or a linear or quadratic tetrahedron.
 std::string convertVolume(vtkUnstructuredGrid* grid, VolumeMesh& mesh);
 
-/// Reads the point array `Fixed`. Returns "", or a message about the fault of the array.
+/// Reads the point array `Fixed`. Returns "" or an error message.
 std::string convertFixed(vtkUnstructuredGrid* grid, std::vector<unsigned char>& fixed);
 
-/// Returns E and ν per cell. Without an array (null) the constant is used.
+/// Returns E and ν per cell. If an array is null, the constant is used.
 std::vector<ElasticMaterial> convertMaterials(
   vtkIdType cells, vtkDataArray* young, vtkDataArray* poisson, const ElasticMaterial& constant);
 

@@ -11,11 +11,12 @@ namespace palpate
 {
 namespace
 {
-/// Smallest Jacobian of a hexahedron, as a fraction of the voxel's.
+/// Smallest Jacobian of a hexahedron, as a fraction of the Jacobian of a voxel.
 constexpr double SmallestShare = 0.05;
-/// Largest number of times that a node is moved back, each time by a quarter of the remaining way.
+/// Largest number of times that a node is moved back. Each move is a quarter of the remaining
+/// distance.
 constexpr int MostPullbacks = 12;
-constexpr double SmallestStep = 0.1; ///< smallest fraction of the way to the surface
+constexpr double SmallestStep = 0.1; ///< smallest fraction of the distance to the surface
 
 using Index = std::array<int, 3>;
 
@@ -37,8 +38,8 @@ void forAllIndices(const Index& size, const Visit& visit)
   }
 }
 
-/// Returns the number of parts that the corners with the state `wanted` form when joined along the
-/// cube's edges.
+/// Returns the number of connected parts that the corners with the state `wanted` form along the
+/// edges of a cube.
 int partsOf(const std::array<bool, 8>& state, bool wanted)
 {
   std::array<int, 8> part{};
@@ -233,11 +234,11 @@ void coverWithLayer(VolumeMesh& mesh, const VoxelGrid& grid,
   const std::function<Eigen::Vector3d(const Eigen::Vector3d&, const Eigen::Vector3d&)>& reach)
 {
   MeshTopology topology;
-  topology.build(mesh); // cannot fail for voxels
+  topology.build(mesh); // this cannot fail for voxels
   const std::int32_t core = mesh.nodeTotal();
   const std::size_t first = mesh.elements.size();
   std::vector<std::int32_t> farOf(static_cast<std::size_t>(core), -1);
-  std::vector<std::int32_t> nearOf; // the near node of each far node
+  std::vector<std::int32_t> nearOf; // the inner node that belongs to each outer node
   Eigen::Matrix3Xd outward = Eigen::Matrix3Xd::Zero(3, core);
   for (const BoundaryFace& boundary : topology.boundary())
   {

@@ -36,18 +36,20 @@ namespace
 constexpr int LeastCells = 100; ///< smallest number of cells of a request
 // Smallest spacing of the cells, relative to the contact radius.
 constexpr double LeastOfContact = 0.25;
-// Distance of the solved points, in spacings of the cells; mid-edge nodes are included.
+// Distance of the solved points, in spacings of the cells. The solved points include mid-edge
+// nodes.
 constexpr double LeastOfSpacing = 0.5;
 constexpr double PointsPerCell = 0.15; // number of solved points per cell
-// Ratio of the cell lengths of the second mesh to those of the first.
+// Ratio of the cell length of the second mesh to the cell length of the first mesh.
 constexpr double CoarserRatio = 2.0;
-/// A surface with more triangles, or one that cannot be filled, is replaced by a coarse surface.
-/// Its voxels have this fraction of the cells' spacing.
+/// A surface that has more triangles than this, or that cannot be filled, is replaced by a coarse
+/// surface. The voxels of the coarse surface have this fraction of the cells' spacing.
 constexpr vtkIdType MostTriangles = 300000;
 constexpr double VoxelRatio = 0.25;
-/// Number of contact radii of a solution. Each is half of the previous one, so a solution is valid
-/// from its largest radius down to an eighth of it. The cache is searched for solutions whose
-/// largest radius is up to three powers of two above the needed radius.
+/// Number of contact radii of a solution. Each radius is half of the previous one. Therefore a
+/// solution is valid from its largest radius down to an eighth of this radius. The cache is
+/// searched for solutions whose largest radius is up to three powers of two above the needed
+/// radius.
 constexpr std::size_t RadiusCount = 4;
 // Progress at the end of each step, as fractions of the work.
 constexpr double Filled = 0.25;
@@ -55,11 +57,12 @@ constexpr double Solved = 0.85;
 constexpr double Compared = 0.9;
 constexpr double Fitted = 0.92;
 
-/// Modes are only used for display. They are rounded to this fraction of the largest value, which
-/// keeps the files of the cache small.
+/// Modes are used only for display. They are rounded to multiples of this fraction of the largest
+/// value, which keeps the files of the cache small.
 constexpr double ModeStep = 1e-5;
 
-/// Must be increased if a change of the code gives other values for the same input.
+/// Revision of the cached solutions. It must be increased if a change of the code gives other
+/// values for the same input.
 constexpr int Revision = 3;
 
 std::string bytesOf(vtkPolyData* body)
@@ -81,7 +84,7 @@ std::string bytesOf(vtkPolyData* body)
     std::string(reinterpret_cast<const char*>(corners.data()), corners.size() * sizeof(vtkIdType));
 }
 
-/// Contact radii of a solution, descending; the first is a power of two.
+/// Returns the contact radii of a solution in descending order. The first radius is a power of two.
 std::vector<double> radiiFrom(double largest)
 {
   std::vector<double> radii;
@@ -114,8 +117,8 @@ std::vector<double> packed(const SurfaceYield& yield)
   return values;
 }
 
-/// Appends the modes of a body of E = 1 MPa at the points of `body`, and their signs. The values
-/// are zero if the body has no modes. Nothing is appended after an abort.
+/// Appends the modes of a body with E = 1 MPa at the points of `body`, and the signs of the modes.
+/// The values are zero if the body has no modes. Nothing is appended after an abort.
 void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* body,
   vtkFloatArray* normals, const FilterStage& stage, std::vector<double>& values)
 {
@@ -132,7 +135,7 @@ void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* bod
   {
     vtkDataArray* mode = bare->GetPointData()->GetArray(globalModeName(k).c_str());
     const double largest = mode ? mode->GetMaxNorm() : 0.0;
-    // A scale that is a power of ten gives short decimal numbers.
+    // The scale is a power of ten, because this gives short decimal numbers.
     const double scale =
       largest > 0.0 ? std::pow(10.0, std::ceil(-std::log10(ModeStep * largest))) : 1.0;
     for (vtkIdType i = 0; i < 3 * body->GetNumberOfPoints(); ++i)
@@ -147,13 +150,14 @@ void appendModes(SolvedBody& solved, vtkUnstructuredGrid* grid, vtkPolyData* bod
   }
 }
 
-/// A body in tetrahedra, and the same body in longer tetrahedra to find the error of the elements.
+/// A body filled with tetrahedra, and the same body filled with longer tetrahedra. The second
+/// filling gives the error of the elements.
 struct FilledBody
 {
   double area = 0.0;    ///< area of the surface, mm²
   double spacing = 0.0; ///< spacing of the cells at the surface, mm
   vtkNew<vtkUnstructuredGrid> grid;
-  vtkNew<vtkUnstructuredGrid> coarser; ///< has no cells if the body is too thin for longer cells
+  vtkNew<vtkUnstructuredGrid> coarser; ///< without cells if the body is too thin for longer cells
 };
 
 double spacingOf(const ClosedSurface& closed, int cells, double radius)
@@ -163,8 +167,8 @@ double spacingOf(const ClosedSurface& closed, int cells, double radius)
   return std::min(wanted, LargestOfBody * std::cbrt(closed.volume));
 }
 
-/// Fills the body. If it has too much detail or cannot be filled, a coarse surface of the body is
-/// filled instead.
+/// Fills the body. If the body has too much detail or cannot be filled, a coarse surface of the
+/// body is filled instead.
 std::string fill(vtkPolyData* body, int cells, double radius, const FilterStage& stage,
   BodyYield& made, FilledBody& filled)
 {
@@ -206,8 +210,8 @@ std::string fill(vtkPolyData* body, int cells, double radius, const FilterStage&
   return fault;
 }
 
-/// Solves a body of E = 1 MPa for contacts up to this radius. Returns "", or a message about the
-/// fault; `values` stays empty after an abort.
+/// Solves a body with E = 1 MPa for contact radii up to `largest` (mm). Returns "" or an error
+/// message. `values` stays empty after an abort.
 std::string solve(vtkPolyData* body, const YieldRequest& request, double largest,
   vtkAlgorithm* filter, BodyYield& made, std::vector<double>& values)
 {
@@ -262,13 +266,13 @@ std::string solve(vtkPolyData* body, const YieldRequest& request, double largest
   return fault;
 }
 
-/// Interpolates the values for one contact radius linearly in its square between the radii of the
-/// solution.
+/// Interpolates the values for the contact radius of the request. The interpolation is linear in
+/// the square of the radius, between the radii of the solution.
 void takeRadius(const std::vector<double>& values, std::size_t count, const YieldRequest& request,
   double largest, BodyYield& made)
 {
   const std::vector<double> radii = radiiFrom(largest);
-  std::size_t k = 0; // the radius lies between the radii k and k + 1
+  std::size_t k = 0; // the requested radius is between the radii k and k + 1
   while (k + 2 < radii.size() && request.radius < radii[k + 1])
   {
     ++k;
@@ -298,7 +302,7 @@ void takeRadius(const std::vector<double>& values, std::size_t count, const Yiel
   made.signs.assign(signs, signs + MostGlobalModes);
 }
 
-/// Number of values of a solution for a body of `count` points.
+/// Returns the number of values of a solution for a body with `count` points.
 std::size_t numbersFor(std::size_t count)
 {
   return (2 * RadiusCount + 1 + 3 * MostGlobalModes) * count + MostGlobalModes;
@@ -331,7 +335,7 @@ std::string solveYield(
   const std::string content = joined(body->GetNumberOfPoints(), ' ', digest(bytesOf(body)));
   const auto count = static_cast<std::size_t>(body->GetNumberOfPoints());
   const double least = powerOfTwoFrom(request.radius);
-  // A stored solution for wider contacts may be valid, too.
+  // A stored solution for wider contacts may also be valid.
   double largest = least;
   std::vector<double> values;
   for (std::size_t k = 0; values.empty() && k < RadiusCount; ++k)

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double LeastJacobian = 0.1;
 
-/// Corners at the ends of the edge of each mid-edge node, in VTK's numbering.
+/// For each mid-edge node, the corners at the ends of its edge, in VTK's numbering.
 constexpr int TetrahedronEdges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 },
   { 2, 3 } };
 constexpr int TetrahedronFaces[4][3] = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
@@ -26,7 +26,7 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Edges of the faces that belong to only one tetrahedron.
+/// Returns the edges of the faces that belong to only one tetrahedron.
 std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
 {
   std::vector<std::array<std::int32_t, 3>> faces;
@@ -48,7 +48,7 @@ std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
   {
     if (i + 1 < faces.size() && faces[i] == faces[i + 1])
     {
-      ++i; // the face belongs to two tetrahedra
+      ++i; // this face belongs to two tetrahedra
       continue;
     }
     edges.push_back({ faces[i][0], faces[i][1] });
@@ -63,8 +63,8 @@ std::vector<Edge> outerEdges(const TetrahedralMesh& mesh)
 
 double leastJacobian(const Eigen::Matrix3Xd& nodes, const std::array<std::int32_t, 10>& cell)
 {
-  // In barycentric coordinates λ, x = Σ λ_i(2λ_i - 1)x_i + 4Σ λ_iλ_j x_ij. dx/dλ is linear; at
-  // corner k dx/dλ_i is 4x_ik - x_i for i ≠ k and 3x_k for i = k.
+  // In barycentric coordinates λ, x = Σ λ_i(2λ_i - 1)x_i + 4Σ λ_iλ_j x_ij. The derivative dx/dλ is
+  // linear in λ. At corner k, dx/dλ_i is 4x_ik - x_i for i ≠ k and 3x_k for i = k.
   std::array<Eigen::Matrix3d, 4> at;
   const auto node = [&](int i) -> Eigen::Vector3d
   { return nodes.col(cell[static_cast<std::size_t>(i)]); };

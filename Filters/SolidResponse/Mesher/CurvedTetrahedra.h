@@ -8,7 +8,8 @@
 
 namespace palpate
 {
-/// Quadratic tetrahedra: nodes and cells as in VTK_QUADRATIC_TETRA, with the corner nodes first.
+/// Quadratic tetrahedra. Nodes and cells are ordered as in VTK_QUADRATIC_TETRA, with the corner
+/// nodes first.
 struct CurvedTetrahedra
 {
   Eigen::Matrix3Xd nodes;
@@ -16,8 +17,8 @@ struct CurvedTetrahedra
   std::size_t straightened = 0; ///< number of outer edges that are left straight
 };
 
-/// Returns the point of the true surface to which a mid-edge node is moved. If the edge is sharp,
-/// it is a point of the true edge.
+/// Returns the point of the true surface to which a mid-edge node is moved. For a sharp edge, it is
+/// a point on the true edge.
 using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, bool isSharp)>;
 
 /**
@@ -28,8 +29,8 @@ using EdgeReach = std::function<Eigen::Vector3d(const Eigen::Vector3d& middle, b
  */
 CurvedTetrahedra curveTetrahedra(const TetrahedralMesh& mesh, const EdgeReach& reach);
 
-/// Smallest Bézier coefficient of a tetrahedron's Jacobian, divided by six times its volume with
-/// straight edges; 1 if the edges are straight.
+/// Returns the smallest Bézier coefficient of a tetrahedron's Jacobian, divided by six times its
+/// volume with straight edges. It is 1 if the edges are straight.
 double leastJacobian(const Eigen::Matrix3Xd& nodes, const std::array<std::int32_t, 10>& cell);
 } // namespace palpate
 

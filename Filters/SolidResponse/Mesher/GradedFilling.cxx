@@ -25,15 +25,17 @@ namespace
 constexpr double InteriorRatio = 4.0;
 constexpr double DeviationRatio = 0.05;
 
-/// Cells per cube of the spacing, and peak memory per cell; measured on balls.
+/// Number of cells per cube of the spacing, and peak memory per cell in bytes. Both were measured
+/// on balls.
 constexpr double CellsPerCube = 8.7;
 constexpr double BytesPerCell = 2000.0;
-/// Cells have ten nodes each, numbered by 32 bits.
+/// Largest number of cells. Each cell has ten nodes, which are numbered by 32 bits.
 constexpr double MostCells = std::numeric_limits<std::int32_t>::max() / 10.0;
 
-constexpr double MeshedShare = 0.9; // fraction of the work for meshing
+constexpr double MeshedShare = 0.9; // fraction of the progress at the end of the meshing
 
-/// Expected cells of a body of given volume and area whose spacing grows from s to l inwards.
+/// Returns the expected number of cells of a body with given volume and area whose spacing grows
+/// from s at the surface to l inside.
 double expectedCells(const ClosedSurface& closed, double s, double l, double growth)
 {
   const double graded =
@@ -44,8 +46,8 @@ double expectedCells(const ClosedSurface& closed, double s, double l, double gro
 
 double expectedBallCells(const FineBall& ball, double spacing, double growth)
 {
-  // The ball, and the shell in which the spacing u grows from s to l: cells of u³ at
-  // r = R + (u - s)/growth.
+  // The formula sums the ball and the shell in which the spacing u grows from s to l. The shell has
+  // cells of volume u³ at r = R + (u - s)/growth.
   const double l = spacing;
   const double s = std::min(ball.spacing, l);
   const double b = growth * ball.radius - s;

@@ -13,34 +13,34 @@ class vtkUnstructuredGrid;
 
 namespace palpate
 {
-/// The cells that fill a closed surface, as the properties of vtkGradedBody describe them.
+/// The cells that fill a closed surface. The members correspond to the properties of vtkGradedBody.
 struct GradedCells
 {
-  /// Spacing at the surface, mm; 0: the spacing is chosen by chosenSpacing().
+  /// Spacing at the surface, mm. If it is 0, chosenSpacing() chooses the spacing.
   double spacing = 0.0;
-  double interiorSpacing = 0.0; ///< mm; 0: four times `spacing`
+  double interiorSpacing = 0.0; ///< mm; 0 means four times `spacing`
   double growth = 0.5;
-  double deviation = 0.0; ///< mm; 0: a twentieth of `spacing`
+  double deviation = 0.0; ///< mm; 0 means a twentieth of `spacing`
   std::vector<FineBall> balls;
   std::string fixedFaces = "z-";
 };
 
-/// Spacing and expected number of cells, also set if there would be too many cells, and warnings
-/// about repairs of the surface.
+/// Spacing, expected number of cells, and warnings about repairs of the surface. Spacing and number
+/// are also set if there would be too many cells.
 struct GradedReport
 {
-  double spacing = 0.0; ///< the spacing at the surface, given or chosen, mm
+  double spacing = 0.0; ///< given or chosen spacing at the surface, mm
   double cells = 0.0;
   std::vector<std::string> warnings;
 };
 
-/// Returns the number of cells that a ball with finer cells is expected to add. `spacing`: that of
-/// the cells at the surface, mm. `growth`: increase of the spacing per mm of distance from the
-/// surface.
+/// Returns the number of cells that a ball with finer cells is expected to add. `spacing` is the
+/// spacing of the cells at the surface, mm. `growth` is the increase of the spacing per mm of
+/// distance from the surface.
 double expectedBallCells(const FineBall& ball, double spacing, double growth);
 
-/// Fills the surface with quadratic tetrahedra and the point array `Fixed`. Returns "", or a
-/// message about the fault. `grid` is empty if the observer stopped the work.
+/// Fills the surface with quadratic tetrahedra and adds the point array `Fixed`. Returns "" or an
+/// error message. `grid` is empty if the observer stopped the work.
 std::string fillGraded(vtkPolyData* body, const GradedCells& cells, const WorkObserver& observer,
   vtkUnstructuredGrid* grid, GradedReport& report);
 } // namespace palpate

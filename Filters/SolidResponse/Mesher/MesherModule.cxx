@@ -57,7 +57,7 @@ std::string mendSurface(MeshedSurface& surface, std::size_t& mended)
   mended = 0;
   const LoadedMesher& mesher = loadedMesher();
   return mesher.module ? mesher.module->mend(surface, mended)
-                       : std::string(); // fillSurface reports the missing module
+                       : std::string(); // "" because fillSurface reports the missing module
 }
 
 std::string closeSurface(MeshedSurface& surface, ClosedUp& done)

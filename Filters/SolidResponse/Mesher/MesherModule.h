@@ -10,9 +10,9 @@
 namespace palpate
 {
 /**
- * The functions of the module Mesher, libpalpateMesher.so. The module holds all code that includes
- * CGAL, because CGAL takes minutes to compile and has a different licence (GPL). No library links
- * the module. The first call of one of these functions loads it.
+ * The functions of the module Mesher, libpalpateMesher.so. The module contains all code that
+ * includes CGAL, because CGAL takes minutes to compile and has a different licence (GPL). No
+ * library links the module. The first call of one of these functions loads the module.
  */
 struct MesherModule : ModuleTable
 {
@@ -22,14 +22,14 @@ struct MesherModule : ModuleTable
   decltype(&closeSurface) close;
 };
 
-/// The loaded module, or the reason why it is missing as text.
+/// The loaded module, or the reason why it is missing.
 struct LoadedMesher
 {
   const MesherModule* module = nullptr;
-  std::string fault; ///< empty if the module is loaded
+  std::string fault; ///< reason why the module is missing; empty if the module is loaded
 };
 
-/// Loads the module at the first call. Later calls return the same result. Safe from any thread.
+/// Loads the module at the first call. Later calls return the same result. Thread-safe.
 const LoadedMesher& loadedMesher();
 } // namespace palpate
 

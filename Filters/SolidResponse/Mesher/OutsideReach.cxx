@@ -18,10 +18,10 @@ namespace palpate
 {
 namespace
 {
-/// Tolerance relative to the coordinates, for the rounding of nodes on a cut.
+/// Tolerance for the rounding of nodes on a cut, relative to the coordinates.
 constexpr double OnCut = 1e-9;
 
-/// A locator for lines or triangles; null without cells.
+/// Returns a locator for lines or triangles. Returns null if `data` has no cells.
 vtkSmartPointer<vtkStaticCellLocator> locatorOf(vtkPolyData* data)
 {
   if (data->GetNumberOfCells() == 0)

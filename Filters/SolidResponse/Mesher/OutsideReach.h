@@ -9,9 +9,9 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Returns a function that moves places to a surface. The middle of a sharp edge is moved to an
-/// edge instead: to a rim of `wanted` if it is on a cut, else to the nearest edge at which the
-/// surface turns by more than the sharp angle.
+/// Returns a function that moves positions to a surface. The middle of a sharp edge is moved to an
+/// edge instead. If it is on a cut, it is moved to a rim of `wanted`. Otherwise it is moved to the
+/// nearest edge of the surface whose dihedral angle exceeds the sharp angle.
 EdgeReach outsideReach(
   vtkPolyData* surface, const MeshedSurface& wanted, const std::vector<CutPlane>& cuts);
 } // namespace palpate

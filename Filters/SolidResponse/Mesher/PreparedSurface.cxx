@@ -19,13 +19,14 @@ namespace palpate
 {
 namespace
 {
-/// Largest relative loss of volume. Facets cut off about a hundredth of the volume; a larger loss
-/// means that a part of the body is lost.
+/// Largest relative loss of volume. Facets cut off about a hundredth of the volume. A loss above
+/// this limit means that a part of the body is lost.
 constexpr double LostVolume = 0.1;
-/// Parts that remain after a cut are removed if their volume is below that of a cube of this side
+/// Parts that remain after a cut are removed if their volume is below that of a cube with this side
 /// length, in spacings.
 constexpr double LeastLeft = 0.5;
-constexpr double NearCut = 1e-6;  // depth of a face after it was cut off, in spacings
+// Depth of a held face after the part beyond it was cut off, in spacings.
+constexpr double NearCut = 1e-6;
 constexpr double RoughStep = 3.0; // factor on the deviation if a surface is too rough
 
 double volumeOf(const TetrahedralMesh& mesh)
@@ -43,8 +44,8 @@ double volumeOf(const TetrahedralMesh& mesh)
   }
   return volume;
 }
-/// Planes at the depths of the held faces: planes of all held faces, or only of those with a depth
-/// given by the user.
+/// Returns the planes at the depths of the held faces. If `givenAlone` is set, only held faces are
+/// used for which the user specified the depth.
 std::vector<CutPlane> planesOf(
   const MeshedSurface& surface, const HeldFaces& faces, bool givenAlone)
 {

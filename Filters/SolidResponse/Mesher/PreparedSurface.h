@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A surface that is ready to be filled, with warnings about the changes to it.
+/// A surface that is ready to be filled, and warnings about the changes to the surface.
 struct PreparedSurface
 {
   ClosedSurface closed;
@@ -22,21 +22,20 @@ struct PreparedSurface
   std::vector<std::string> warnings;
 };
 
-/// Copies a surface, and closes it if it is nearly closed. Returns "", or a message about the
-/// fault.
+/// Copies a surface, and closes it if it is nearly closed. Returns "" or an error message.
 std::string takeSurface(vtkPolyData* body, PreparedSurface& prepared);
 
 /// Mends the surface where it intersects itself, and cuts off the part that is held within a given
-/// depth. The body then ends exactly at that depth, not at the next cell, and the depth of the face
-/// is set to nearly 0. If the surface cannot be cut, whole cells are held instead and a warning is
-/// added. `spacing`: length of the cells, mm. Returns "", or a message about the fault.
+/// depth. The body then ends exactly at this depth and not at the next cell, and the depth in
+/// `faces` is set to nearly 0. If the surface cannot be cut, whole cells are held instead, and a
+/// warning is added. `spacing` is the length of the cells, mm. Returns "" or an error message.
 std::string mendAndCut(double spacing, HeldFaces& faces, PreparedSurface& prepared);
 
 /**
- * Fills the surface with quadratic tetrahedra as given by prepared.wanted. Their outside is on the
- * surface or on prepared.cuts. The deviation is increased if the surface is too rough for it.
- * `cells`: expected number of cells. Returns "", or a message about the fault. `curved` is empty if
- * the observer stopped the work.
+ * Fills the surface with quadratic tetrahedra. prepared.wanted defines the sizes of the tetrahedra.
+ * Their outer faces are on the surface or on prepared.cuts. If the surface is too rough for the
+ * deviation, the deviation is increased. `cells` is the expected number of cells. Returns "" or an
+ * error message. `curved` is empty if the observer stopped the work.
  */
 std::string fillPrepared(PreparedSurface& prepared, double spacing, double cells,
   const WorkObserver& observer, CurvedTetrahedra& curved);

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// A ball in which cells have at most a given spacing. Lengths in mm.
+/// A ball in which cells have at most a given spacing. Lengths are in mm.
 struct FineBall
 {
   Eigen::Vector3d middle;
@@ -18,36 +18,38 @@ struct FineBall
   double spacing = 0.0;
 };
 
-/// A closed surface and the sizes of the cells that fill it. Lengths in mm.
+/// A closed surface and the sizes of the cells that fill it. Lengths are in mm.
 struct MeshedSurface
 {
   Eigen::Matrix3Xd points;
-  std::vector<std::array<std::int32_t, 3>> triangles; ///< counter-clockwise as seen from outside
-  /// Edges of triangles that cells must follow, even if the surface is nearly flat there.
+  /// Corners of each triangle, counter-clockwise as seen from outside.
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  /// Edges of triangles that cells must follow, even if the surface is nearly flat at the edge.
   std::vector<std::array<std::int32_t, 2>> rims;
   std::vector<double> spacing;  ///< spacing of the cells at each point
-  std::vector<FineBall> balls;  ///< balls with finer cells, anywhere
-  double interiorSpacing = 0.0; ///< the largest spacing
+  std::vector<FineBall> balls;  ///< balls with finer cells, at any position
+  double interiorSpacing = 0.0; ///< largest spacing of the cells
   /// Increase of the spacing per mm of distance from the surface inwards.
   double growth = 0.0;
-  double deviation = 0.0; ///< largest distance of a facet from the surface
-  /// Edges at which the surface turns by a larger angle are kept, degrees.
+  double deviation = 0.0; ///< largest allowed distance of a facet from the surface
+  /// Edges with a larger dihedral angle than this are kept, degrees.
   double sharpAngle = 45.0;
-  /// Whether the outside must be a manifold. Where the surface nearly touches itself, a manifold
-  /// may need an unlimited number of cells.
+  /// Whether the outer surface must be a manifold. Where the surface nearly touches itself, a
+  /// manifold may need an unlimited number of cells.
   bool isManifold = true;
 };
 
 /**
- * Spacing of the cells at points in and on a surface, from a grid over its box. The spacing at a
- * place is the smallest value, over all points of the surface and the finer balls, of the spacing
- * there plus growth times the distance. Hence the spacing has no jump around a fine part. It is
- * interpolated linearly between nodes. Distances are measured along the grid's sides and diagonals;
- * they are up to a tenth too long, and one step of the grid is subtracted.
+ * Spacing of the cells at points in and on a surface, stored at the nodes of a grid over the
+ * bounding box of the surface. The spacing at a position x is the smallest value, over all points p
+ * of the surface and all finer balls, of the spacing at p plus growth times the distance from x to
+ * p. Therefore the spacing has no jump around a fine part. It is interpolated linearly between the
+ * nodes. Distances are measured along the sides and diagonals of the grid. They are up to a tenth
+ * too long, and one step of the grid is subtracted.
  *
- * Cost: two sweeps; one second and 16 MiB for the largest grid of two million nodes. A lookup takes
- * a few tens of nanoseconds. Finding the closest point of a surface of 20 thousand triangles
- * instead takes a thousand times as long from the centre of a ball.
+ * Cost: two sweeps over the grid take one second and 16 MiB for the largest grid of two million
+ * nodes. A lookup takes a few tens of nanoseconds. A search for the closest point on a surface of
+ * 20 thousand triangles, from the centre of a ball, would take a thousand times as long.
  */
 class SpacingGrid
 {
@@ -70,7 +72,7 @@ private:
 
   Eigen::Vector3d Origin;
   double Step = 0.0;
-  Eigen::Array3i Size; ///< nodes along each axis
+  Eigen::Array3i Size; ///< number of nodes along each axis
   std::vector<double> Values;
 };
 } // namespace palpate

@@ -18,8 +18,8 @@ namespace
 constexpr std::size_t CurvesAround = 6;
 constexpr double RelativeStep = 1e-3; ///< step for dF/dδ, as a fraction of the depth
 
-/// Returns the largest angle between the triangles at a point if the surface is convex there, rad;
-/// 0 in a hollow.
+/// Returns the largest angle between the triangles at a point if the surface is convex at the
+/// point, rad. Returns 0 in a hollow.
 double turnAt(const BodySurface& surface, std::int32_t point)
 {
   Eigen::Vector3d around = Eigen::Vector3d::Zero();
@@ -148,7 +148,7 @@ void fillEdges(
   const EdgedSurface& surface, const ResponseSampling& sampling, const ResponseSpans& spans)
 {
   const EdgeFiller filler(surface, sampling, spans);
-  // Points on edges use only valid points, so they do not depend on each other.
+  // Points on edges use only valid points. Therefore they do not depend on each other.
   shareWork(surface.points,
     [&filler](std::size_t i)
     {

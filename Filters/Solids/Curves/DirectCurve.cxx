@@ -14,12 +14,12 @@ namespace palpate
 {
 namespace
 {
-/// Error of a force on which two meshes agree, with four facets over the contact radius, and facets
-/// of an eighth of the radius at a rim (DirectContactTest).
+/// Error of a force on which two meshes agree. It holds for four facets over the contact radius,
+/// and for facets of an eighth of the radius at a rim (DirectContactTest).
 constexpr double ErrorOfAgreement = 0.01;
-/// Step for the stiffness, as a fraction of the depth. A contact grows corner by corner,
-/// and the slope of the force jumps at each corner. The largest depth must stay within the reach of
-/// DirectContact.
+/// Step of depth for the stiffness, as a fraction of the depth. It must not be too small, because a
+/// contact grows corner by corner and the slope of the force jumps at each corner. The largest
+/// depth plus the step must be within the range of DirectContact.
 constexpr double StiffnessStep = 0.08;
 
 /// Force and stiffness at one depth with their errors.
@@ -31,7 +31,8 @@ struct DirectSample
   double error = 1.0;
 };
 
-/// Mean of the contacts with the two directions of pressure (Pushed), corrected for finite strain.
+/// Mean of the contacts with the two directions of pressure (Pushed), after correction for finite
+/// strain.
 struct MeanOfPushes
 {
   MeanOfPushes(const DirectContact& contact, const DirectTerms& terms, double depth)
@@ -50,9 +51,9 @@ struct MeanOfPushes
     this->force = this->small + share.force - stiffness * share.deflection;
     this->strain = share.error;
   }
-  double small = 0.0;  ///< the force at small strain, N
+  double small = 0.0;  ///< force at small strain, N
   double open = 0.0;   ///< half of the relative difference of the two forces
-  double force = 0.0;  ///< N; 0 without a contact
+  double force = 0.0;  ///< corrected force, N; 0 without a contact
   double strain = 0.0; ///< relative error of the correction for finite strain
 };
 
@@ -68,7 +69,7 @@ public:
   {
   }
 
-  /// Whether both meshes have a contact.
+  /// Returns whether both meshes have a contact.
   bool areFound() const { return this->isFound(this->Finer) && this->isFound(this->Coarser); }
 
   double forceAt(double depth) const
@@ -77,7 +78,8 @@ public:
                           : MeanOfPushes(*this->Finer.small, this->Terms, depth).force;
   }
 
-  /// Relative difference of the forces of the two meshes, before the correction for finite strain.
+  /// Returns the relative difference of the forces on the two meshes, before the correction for
+  /// finite strain.
   double differenceAt(double depth) const
   {
     const double here = this->solvedOn(this->Finer, depth);
@@ -168,13 +170,14 @@ public:
       FloatCurve{ this->Force.data(), this->Stiffness.data() }, this->Range, depth);
   }
 
-  /// The stored error, or the relative difference from a more accurate force if that is larger.
+  /// Returns the stored error, or the relative difference from a more accurate force if this
+  /// difference is larger.
   double errorAgainst(double force, double depth) const
   {
     return std::max(this->errorAt(depth), std::abs(this->at(depth).force / force - 1.0));
   }
 
-  /// The stored relative error; 1 if it is unknown.
+  /// Returns the stored relative error; 1 if it is unknown.
   double errorAt(double depth) const
   {
     constexpr double rounding = 1.0 - 1e-6;
@@ -199,7 +202,7 @@ private:
   std::vector<float> Error;
 };
 
-/// Makes a sample of the former curve, scaled such that the curve meets the first sample of the
+/// Fills a sample from the former curve, scaled such that the curve meets the first sample of the
 /// direct curve.
 void scaleFormer(const DirectSample& first, double depthOfFirst, const FormerCurve& former,
   double depth, DirectSample& sample)

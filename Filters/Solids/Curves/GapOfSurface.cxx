@@ -16,13 +16,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeastFacingCosine = 0.5; ///< cosine to the normal: 60°
-/// Lower limit of area coordinates. It is slightly negative, so that no place falls between two
-/// triangles.
+constexpr double LeastFacingCosine = 0.5; ///< cosine of 60°, for the largest angle to the normal
+/// Lower limit of area coordinates. It is slightly negative, so that no position is missed between
+/// two triangles.
 constexpr double LeastAreaCoordinate = -1e-9;
-constexpr double RadiusTolerance = 1e-6; ///< tolerance relative to the largest radius
+constexpr double RadiusTolerance = 1e-6; ///< tolerance as a fraction of the largest radius
 
-/// Walks over the surface from one point, triangle by triangle, and stores the heights.
+/// Visits the surface from one point, triangle by triangle, and stores the heights.
 class GapWalk
 {
 public:
@@ -88,14 +88,15 @@ private:
       .cast<double>();
   }
 
-  /// The place in the frame: coordinates along the tangents and depth below the plane.
+  /// Returns a position in the frame: coordinates along the tangents, and depth below the tangent
+  /// plane.
   Vector3 inFrame(const Vector3& place) const
   {
     return this->Frame.transpose() * (place - this->Origin);
   }
 
-  /// Sets the heights at the places on a triangle. Returns false if the triangle is beyond the
-  /// radius or turns away.
+  /// Sets the heights at the ring positions on a triangle. Returns false if the triangle is beyond
+  /// the radius, or if its normal differs too much.
   bool take(std::int32_t triangle)
   {
     const TriangleCorners& corners = this->Mesh.corners(triangle);
@@ -107,7 +108,7 @@ private:
     const Vector3 across = (at[1] - at[0]).cross(at[2] - at[0]);
     if (!(-across[2] > LeastFacingCosine * across.norm()))
     {
-      return false; // the z axis of the frame points inwards
+      return false; // the normal differs too much; the z axis of the frame points inwards
     }
     Eigen::Vector2d low = at[0].head<2>();
     Eigen::Vector2d high = low;
@@ -116,7 +117,8 @@ private:
       low = low.cwiseMin(corner.head<2>());
       high = high.cwiseMax(corner.head<2>());
     }
-    // Nearest and farthest point of the bounding box of the corners.
+    // The distances of the nearest and farthest point of the bounding box of the corners limit the
+    // rings that the triangle can cover.
     const Eigen::Vector2d nearest = low.cwiseMax(Eigen::Vector2d::Zero().cwiseMin(high));
     const double from = nearest.norm() - RadiusTolerance * this->Radius;
     const double to = low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
@@ -170,7 +172,7 @@ private:
     return { part(1, 2), part(2, 0), part(0, 1) };
   }
 
-  /// Root mean square unevenness of a triangle's edges (GapTerms::uneven).
+  /// Returns the root mean square unevenness of a triangle's edges (GapTerms::uneven).
   static double unevenness(const std::array<Vector3, 3>& at, const std::array<Vector3, 3>& normals)
   {
     double sum = 0.0;
@@ -183,8 +185,8 @@ private:
     return std::sqrt(sum / 3.0);
   }
 
-  /// Depth of the patch below the plane at a place. It is extrapolated along the tangent plane from
-  /// the patch point with these area coordinates.
+  /// Returns the depth of the patch below the tangent plane at a position. It is extrapolated along
+  /// the tangent plane of the patch from the patch point with the area coordinates `area`.
   static double heightOn(
     const SmoothTriangle& patch, const Vector3& area, const Eigen::Vector2d& place)
   {
@@ -200,7 +202,7 @@ private:
     const double flat = area[0] * at[0][2] + area[1] * at[1][2] + area[2] * at[2][2];
     const double height = std::isfinite(smooth) ? smooth : flat;
     double& known = this->Found.surface(k, j);
-    if (!(known <= height)) // the outermost part of a fold is used
+    if (!(known <= height)) // if the surface is folded, the outermost layer is used
     {
       known = height;
       this->Found.facets(k, j) = flat;

@@ -30,7 +30,7 @@ constexpr double FirstSampleFraction = 1e-3;
 
 using KernelsAt = std::function<std::unique_ptr<ContactKernels>(std::size_t)>;
 
-/// Computes the points one by one; one object is shared by all threads.
+/// Computes the points one by one. All threads share one object.
 class ShapedFiller
 {
 public:
@@ -74,7 +74,8 @@ public:
       return;
     }
     const ContactCurve curve = this->Contact.curve(*kernels);
-    // Slightly less than the end of the curve, so that the last sample in floats is still on it.
+    // This depth is slightly less than the end of the curve, so that the last sample is still on
+    // the curve after rounding to float.
     const double deepest = curve.isEmpty() ? 0.0 : (1.0 - 1e-6) * curve.deepest();
     if (!(deepest > LeastRange * this->Terms.range))
     {
@@ -99,7 +100,7 @@ public:
   }
 
 private:
-  /// Finds error and validity of a point whose curve is stored.
+  /// Computes the error and the validity of a point whose curve is stored.
   void findValidity(std::size_t i, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);
@@ -124,7 +125,7 @@ private:
         TiltErrorFactor * std::abs(errors.harmonics) * point.stiffness * depth / point.force;
       parts[ResponseLimit::Elements] = errors.elements();
       parts[ResponseLimit::None] = k > 0 ? this->storageError(i, k - 1, curve) : 0.0;
-      double error = parts.norm(); // each part is a bound in 95 of 100 cases
+      double error = parts.norm(); // each part is a bound that holds in 95 of 100 cases
       error = std::isfinite(error) ? error : 1.0;
       if (k > 0 && this->Spans.error)
       {
@@ -136,7 +137,7 @@ private:
     this->Spans.limit[i] = static_cast<unsigned char>(limit);
   }
 
-  /// Relative error of the stored curve half-way to a sample.
+  /// Returns the relative error of the stored curve halfway to a sample.
   double storageError(std::size_t i, std::size_t k, const ContactCurve& curve) const
   {
     const auto n = static_cast<std::size_t>(this->Spans.samples);

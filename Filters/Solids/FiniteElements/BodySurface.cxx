@@ -11,7 +11,7 @@ namespace
 {
 using Corners = std::array<int, 3>;
 
-/// Triangles of a face, in the face's node numbers.
+/// Returns the triangles into which a face is split, in the face's node numbers.
 const std::vector<Corners>& splitOf(int nodes)
 {
   static const std::vector<Corners> triangle = { { 0, 1, 2 } };
@@ -21,7 +21,7 @@ const std::vector<Corners>& splitOf(int nodes)
   return nodes == 3 ? triangle : nodes == 4 ? quadrilateral : quadratic;
 }
 
-/// Coordinates of a face's nodes, as in faceShapes().
+/// Returns the coordinates of a face's node i, as in faceShapes().
 Eigen::Vector2d faceCoordinates(int nodes, int i)
 {
   constexpr std::array<std::array<double, 2>, 4> square = { { { -1, -1 }, { 1, -1 }, { 1, 1 },

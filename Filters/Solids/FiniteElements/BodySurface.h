@@ -2,10 +2,10 @@
 /** @file
  * The outer surface of a volume mesh as triangles.
  *
- * Quadrilaterals are split along the diagonal from their first corner; quadratic triangles are
- * split into four. A point of the surface is a node of the mesh; points are numbered in the order
- * of the nodes. Point normals are outward unit vectors, weighted by the angles of the triangles;
- * zero at a degenerate point.
+ * Quadrilaterals are split along the diagonal from their first corner. Quadratic triangles are
+ * split into four triangles. Each point of the surface is a node of the mesh. Points are numbered
+ * in the order of the nodes. Point normals are outward unit vectors, weighted by the angles of the
+ * triangles. They are zero at a degenerate point.
  */
 #ifndef palpate_BodySurface_h
 #define palpate_BodySurface_h
@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// A place on the surface: the nodes of a boundary face with their shape values.
+/// A position on the surface, given by the nodes of a boundary face and their shape values.
 struct SurfacePlace
 {
   int count = 0;
@@ -23,11 +23,13 @@ struct SurfacePlace
   std::array<double, 6> shape{};
 };
 
-/// Shape functions of a face of 3, 4 or 6 nodes at a place (ξ, η) of the triangle (0,0), (1,0),
-/// (0,1) or of the square [-1, 1]². Entries beyond the number of nodes are 0.
+/// Returns the shape functions of a face with 3, 4 or 6 nodes at the position (ξ, η). The
+/// coordinates are those of the triangle (0,0), (1,0), (0,1) or of the square [-1, 1]². Entries
+/// beyond the number of nodes are 0.
 PALPATE_EXPORT std::array<double, 6> faceShapes(int nodes, const Eigen::Vector2d& xi);
 
-/// The outer surface of a mesh: its points, triangles and the faces that they are part of.
+/// The outer surface of a mesh: its points and triangles, and the boundary faces to which the
+/// triangles belong.
 class PALPATE_EXPORT BodySurface
 {
 public:
@@ -37,7 +39,7 @@ public:
   std::int32_t pointTotal() const { return static_cast<std::int32_t>(this->Nodes.size()); }
   std::int32_t triangleTotal() const { return static_cast<std::int32_t>(this->Triangles.size()); }
 
-  /// The mesh node of a point.
+  /// Returns the mesh node of a point.
   std::int32_t node(std::int32_t point) const
   {
     return this->Nodes[static_cast<std::size_t>(point)];
@@ -54,18 +56,19 @@ public:
   {
     return this->Normals[static_cast<std::size_t>(point)];
   }
-  /// Corners, as points of the surface.
+  /// Returns the corners of a triangle, as points of the surface.
   const std::array<std::int32_t, 3>& triangle(std::int32_t t) const
   {
     return this->Triangles[static_cast<std::size_t>(t)];
   }
-  /// Unit outward normal; zero if the triangle has no area.
+  /// Returns the unit outward normal of a triangle. It is zero if the triangle has no area.
   const Eigen::Vector3d& triangleNormal(std::int32_t t) const
   {
     return this->TriangleNormals[static_cast<std::size_t>(t)];
   }
   double triangleArea(std::int32_t t) const { return this->Areas[static_cast<std::size_t>(t)]; }
-  /// The boundary face that a triangle is part of, as an index in MeshTopology::boundary().
+  /// Returns the boundary face to which a triangle belongs, as an index in
+  /// MeshTopology::boundary().
   std::int32_t faceOfTriangle(std::int32_t t) const
   {
     return this->Faces[static_cast<std::size_t>(t)];
@@ -85,12 +88,12 @@ public:
     return this->PointTriangles.data() + this->PointOffset[static_cast<std::size_t>(point) + 1];
   }
 
-  /// The place in a triangle with these barycentric coordinates, with the shape functions of its
-  /// face.
+  /// Returns the position in a triangle with the given barycentric coordinates, with the shape
+  /// functions of its face.
   SurfacePlace place(std::int32_t triangle, const Eigen::Vector3d& barycentric) const;
 
-  /// Distance of neighbouring nodes at a point, mm: the side of a square whose area is the mean
-  /// area of two triangles there.
+  /// Returns the distance of neighbouring nodes at a point, mm. It is √(2A), where A is the mean
+  /// area of the triangles around the point.
   double spacing(std::int32_t point) const;
 
 private:

@@ -14,8 +14,8 @@ namespace palpate
 {
 namespace
 {
-/// Chooses the valid point with the largest compliance, then repeatedly the valid point farthest
-/// from all points chosen before.
+/// Returns landmarks. The first is the valid point with the largest compliance. Each further
+/// landmark is the valid point that is farthest from all landmarks chosen before.
 std::vector<std::int32_t> landmarksOf(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -37,7 +37,8 @@ std::vector<std::int32_t> landmarksOf(
     : spreadPoints(surface, valid, *std::max_element(valid.begin(), valid.end(), softer), wanted);
 }
 
-/// Root mean square error of the modes between different landmarks, relative to the exact values.
+/// Returns the root mean square error of the modes between different landmarks, relative to the
+/// exact values.
 double neglectedBetween(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& modes)
 {
   Eigen::MatrixXd whole = exact;
@@ -56,7 +57,7 @@ CouplingModes couplingModes(const ElasticBody& body, const PatchCompliances& com
   const std::vector<std::int32_t> landmarks =
     landmarksOf(surface, compliances, static_cast<std::size_t>(wanted) * LandmarksPerMode);
   const auto total = static_cast<Eigen::Index>(landmarks.size());
-  Eigen::MatrixXd pulled(total, surface.pointTotal()); // n_i·H(x_i, X_j) n_j, a row per landmark
+  Eigen::MatrixXd pulled(total, surface.pointTotal()); // n_i·H(x_i, X_j) n_j, one row per landmark
   const RegularField field(body, radius);
   for (Eigen::Index j = 0; j < total; ++j)
   {
@@ -82,7 +83,8 @@ CouplingModes couplingModes(const ElasticBody& body, const PatchCompliances& com
     between.col(i) = pulled.col(landmarks[static_cast<std::size_t>(i)]);
   }
   const Eigen::MatrixXd symmetric = 0.5 * (between + between.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric); // ascending
+  // Eigenvalues in ascending order.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
   const double least = ModeRounding * solver.eigenvalues().cwiseAbs().maxCoeff();
   for (Eigen::Index m = 0; m < std::min(wanted, total); ++m)
   {

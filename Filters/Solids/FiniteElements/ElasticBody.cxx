@@ -133,7 +133,9 @@ ElasticMaterial ElasticBody::materialAt(std::int32_t node) const
     equal = equal &&
       material.poissonRatio == this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }
-  if (equal && begin != end) // bit-identical, because the hashes of equal cut-outs must be equal
+  // The copy is bit-identical. This is necessary because the hashes of equal cut-outs must be
+  // equal.
+  if (equal && begin != end)
   {
     sum.poissonRatio = this->Input.materials[static_cast<std::size_t>(*begin)].poissonRatio;
   }

@@ -26,8 +26,8 @@ struct Lame
 
 /**
  * Sums the stiffness of vector-valued shape functions from their gradients g_i. With A_ij = ∫ g_i
- * g_jᵀ dV the stiffness between functions i and j is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1. This takes a
- * fifth of the work of Bᵀ D B.
+ * g_jᵀ dV, the stiffness between the functions i and j is λ A_ij + μ A_ijᵀ + μ tr(A_ij) 1. This
+ * computation takes a fifth of the time of Bᵀ D B.
  */
 template <int Count>
 class GradientSum
@@ -35,7 +35,8 @@ class GradientSum
 public:
   using Matrix = Eigen::Matrix<double, 3 * Count, 3 * Count>;
 
-  /// Adds a quadrature point: the gradients (3 × Count) and its weight times the Jacobian.
+  /// Adds a quadrature point. `gradients` is 3 × Count. `weight` is the weight of the point times
+  /// the Jacobian.
   void add(const Eigen::Matrix<double, 3, Count>& gradients, double weight)
   {
     const Eigen::Map<const Eigen::Matrix<double, 3 * Count, 1>> g(gradients.data());
@@ -68,7 +69,7 @@ private:
 constexpr std::array<std::array<int, 3>, 8> HexahedronCorner = { { { -1, -1, -1 }, { 1, -1, -1 },
   { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } } };
 
-/// dN_i/dξ of the trilinear shape functions.
+/// Returns dN_i/dξ of the trilinear shape functions.
 Eigen::Matrix<double, 3, 8> trilinearGradients(const Eigen::Vector3d& xi)
 {
   Eigen::Matrix<double, 3, 8> g;
@@ -89,8 +90,8 @@ Eigen::Vector3d hexahedronPoint(int i)
   return Eigen::Vector3d(c[0], c[1], c[2]) / std::sqrt(3.0);
 }
 
-/// Gradients of the trilinear shape functions and of the modes at a point. Returns the determinant
-/// of the Jacobian there.
+/// Computes the gradients of the trilinear shape functions and of the incompatible modes at a
+/// point. Returns the determinant of the Jacobian at the point.
 double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
   const Eigen::Matrix3d& centreInverse, double centreDeterminant, const Eigen::Vector3d& xi,
   Eigen::Matrix<double, 3, 11>& gradients)
@@ -104,7 +105,8 @@ double hexahedronGradients(const Eigen::Matrix<double, 3, 8>& x,
   return determinant;
 }
 
-/// Computes the stiffness of nodes and modes together. Returns false if the element is inverted.
+/// Computes the stiffness of nodes and incompatible modes together. Returns false if the element is
+/// inverted.
 bool hexahedronWithModes(
   const Eigen::Matrix<double, 3, 8>& x, const Lame& lame, Eigen::Matrix<double, 33, 33>& all)
 {
@@ -115,7 +117,7 @@ bool hexahedronWithModes(
     return false;
   }
   const Eigen::Matrix3d centreInverse = centre.inverse();
-  GradientSum<11> sum; // eight nodes, three modes
+  GradientSum<11> sum; // gradients of eight nodes and three modes
   for (int q = 0; q < 8; ++q)
   {
     Eigen::Matrix<double, 3, 11> gradients;
@@ -139,7 +141,7 @@ bool hexahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMat
     return false;
   }
   const Eigen::Matrix<double, 9, 9> modes = all.bottomRightCorner<9, 9>();
-  // Uses the Cholesky factor of the modes, so that the result is symmetric.
+  // The Cholesky factor of the modes is used, so that the result is symmetric.
   Eigen::Matrix<double, 9, 24> coupling = all.bottomLeftCorner<9, 24>();
   modes.llt().matrixL().solveInPlace(coupling);
   k = all.topLeftCorner<24, 24>() - coupling.transpose() * coupling;
@@ -163,11 +165,12 @@ bool tetrahedronStiffness(const ElementNodes& nodes, const Lame& lame, ElementMa
   return true;
 }
 
-/// The two corners at the ends of the edge of each mid-edge node.
+/// For each mid-edge node, the two corners at the ends of its edge.
 constexpr std::array<std::array<int, 2>, 6> TetrahedronEdge = { { { 0, 1 }, { 1, 2 }, { 0, 2 },
   { 0, 3 }, { 1, 3 }, { 2, 3 } } };
 
-/// dN_i/dξ of the quadratic shape functions; barycentric coordinates (1-ξ-η-ζ, ξ, η, ζ).
+/// Returns dN_i/dξ of the quadratic shape functions. The barycentric coordinates are (1-ξ-η-ζ, ξ,
+/// η, ζ).
 Eigen::Matrix<double, 3, 10> quadraticGradients(const Eigen::Vector3d& xi)
 {
   Eigen::Matrix<double, 3, 4> slope;
@@ -323,7 +326,8 @@ double smallestJacobian(ElementKind kind, const ElementNodes& nodes)
 {
   double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&smallest](double determinant)
-  { smallest = determinant > smallest ? smallest : determinant; }; // a NaN determinant gives NaN
+  // Written such that a NaN determinant gives NaN.
+  { smallest = determinant > smallest ? smallest : determinant; };
   switch (kind)
   {
     case ElementKind::Hexahedron:

@@ -11,8 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// Elements whose moduli are within this ratio are treated as one material, whose stress is
-/// continuous at common nodes.
+/// Elements whose moduli differ by at most this ratio are treated as one material. The stress of
+/// one material is continuous at common nodes.
 constexpr double SameModulus = 1.25;
 
 /// Stress components xx, yy, zz, yz, xz, xy, at one point or at an element's nodes.
@@ -21,7 +21,7 @@ using NodalStress = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, LargestNodeCo
 
 using Places = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, LargestNodeCount>;
 
-/// The element's own coordinates of its nodes.
+/// Returns the positions of an element's nodes in the element's own coordinates.
 Places nodePlaces(ElementKind kind)
 {
   Places places(3, nodeCount(kind));
@@ -41,7 +41,7 @@ Places nodePlaces(ElementKind kind)
   return places;
 }
 
-/// Quadrature points of equal weight, exact for polynomials of second degree.
+/// Quadrature points of equal weight. They are exact for polynomials of second degree.
 struct Quadrature
 {
   Places places;
@@ -62,7 +62,7 @@ Quadrature quadratureOf(ElementKind kind)
 
 using Gradient = Eigen::Matrix3d; ///< gradient of a displacement in space
 
-/// Stress of an element for any displacement.
+/// Computes the stress of an element for any displacement.
 class ElementStress
 {
 public:
@@ -79,7 +79,7 @@ public:
 
   ElementKind kind() const { return this->Element.kind; }
 
-  /// Displacements of the element's nodes, then of its modes.
+  /// Displacements of the element's nodes, followed by the amplitudes of its modes.
   using Motion = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 11>;
   Motion motion(const Eigen::Matrix3Xd& displacement) const
   {
@@ -97,8 +97,8 @@ public:
     return moved;
   }
 
-  /// Gradients of the shape functions and modes at a place. Returns the determinant of the
-  /// Jacobian.
+  /// Computes the gradients of the shape functions and modes at a position. Returns the determinant
+  /// of the Jacobian.
   double gradients(const Eigen::Vector3d& place, ElementGradients& found) const
   {
     return elementGradients(this->Element.kind, this->Nodes, place, found);
@@ -117,7 +117,7 @@ public:
     return stress;
   }
 
-  /// σ : D⁻¹ : σ, N/mm².
+  /// Returns σ : D⁻¹ : σ, N/mm².
   double density(const Stress& stress) const
   {
     const double trace = stress.head<3>().sum();
@@ -133,7 +133,7 @@ private:
   Eigen::Matrix<double, 9, 24> Modes;
 };
 
-/// Groups the elements of nearly equal modulus at each node, because stress is continuous within a
+/// Groups the elements with nearly equal moduli at each node, because stress is continuous within a
 /// group. Stores the number of the group for each node of each element.
 class SharedNodes
 {

@@ -19,8 +19,8 @@ std::size_t modeTotal(int count)
   return static_cast<std::size_t>(std::clamp(count, 0, MostGlobalModes));
 }
 
-/// Chooses the valid point with the largest |C_g|, then repeatedly the valid point farthest from
-/// all points chosen before.
+/// Returns landmarks. The first is the valid point with the largest |C_g|. Each further landmark is
+/// the valid point that is farthest from all landmarks chosen before.
 std::vector<std::int32_t> spreadLandmarks(
   const BodySurface& surface, const PatchCompliances& compliances, std::size_t wanted)
 {
@@ -39,7 +39,7 @@ std::vector<std::int32_t> spreadLandmarks(
   return valid.empty() ? valid : spreadPoints(surface, valid, *first, wanted);
 }
 
-/// Indices of the landmarks on each part of the body.
+/// Returns the indices of the landmarks on each part of the body.
 std::map<std::int32_t, std::vector<Eigen::Index>> landmarksByPart(
   const ElasticBody& body, const std::vector<std::int32_t>& landmarks)
 {
@@ -60,9 +60,9 @@ struct EigenPair
 };
 
 /**
- * Eigenpairs of the blocks of a symmetric matrix, the largest |value| first. The blocks are solved
- * one by one, because equal eigenvalues of two parts of the body would mix their modes. The sign of
- * each vector makes its entry of largest magnitude positive.
+ * Returns the eigenpairs of the blocks of a symmetric matrix, in descending order of |value|. The
+ * blocks are solved separately, because equal eigenvalues of two parts of the body would mix their
+ * modes. The sign of each vector is chosen such that its entry of largest magnitude is positive.
  */
 std::vector<EigenPair> eigenPairs(
   const Eigen::MatrixXd& matrix, const std::map<std::int32_t, std::vector<Eigen::Index>>& blocks)
@@ -86,7 +86,7 @@ std::vector<EigenPair> eigenPairs(
   return pairs;
 }
 
-/// Σ s (n·φ)² at a point.
+/// Returns Σ s (n·φ)² at a point.
 double depth(const BodySurface& surface, const GlobalModes& modes, std::int32_t point)
 {
   double sum = 0.0;
@@ -132,7 +132,7 @@ std::vector<std::int32_t> spreadPoints(const BodySurface& surface,
     }
     if (away[farthest] == 0.0)
     {
-      break; // the remaining points coincide with chosen ones
+      break; // the remaining points coincide with chosen points
     }
     chosen.push_back(points[farthest]);
   }
@@ -188,7 +188,7 @@ GlobalModes globalModes(const ElasticBody& body, const PatchCompliances& complia
   const BodySurface& surface = body.surface();
   const std::vector<std::int32_t> landmarks =
     spreadLandmarks(surface, compliances, modeTotal(count) * LandmarksPerMode);
-  std::vector<Eigen::Matrix3Xd> pulled; // g_j, one per landmark
+  std::vector<Eigen::Matrix3Xd> pulled; // fields g_j, one per landmark
   const RegularField field(body, radius);
   const auto total = static_cast<double>(landmarks.size());
   for (std::size_t j = 0; j < landmarks.size(); ++j)

@@ -11,7 +11,7 @@ Eigen::Vector3d boussinesqDisplacement(const Eigen::Vector3d& at, double poisson
   constexpr double pi = 3.14159265358979323846;
   const double z = std::max(at[2], 0.0);
   const double distance = std::sqrt(at[0] * at[0] + at[1] * at[1] + z * z);
-  const double scale = (1.0 + poissonRatio) / (2.0 * pi * distance); // 1/(4πG R), E = 1
+  const double scale = (1.0 + poissonRatio) / (2.0 * pi * distance); // 1/(4πG R) for E = 1
   const double radial = z / (distance * distance) - (1.0 - 2.0 * poissonRatio) / (distance + z);
   return scale *
     Eigen::Vector3d(

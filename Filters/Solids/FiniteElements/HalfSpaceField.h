@@ -7,10 +7,11 @@
 namespace palpate
 {
 /**
- * Displacement of a half-space z >= 0 with Young's modulus 1 MPa under a normal force of 1 N along
- * +z at the origin of its surface (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` and the result
- * are in mm; for another modulus the result must be divided by E. At a place above the surface, the
- * value is that of the surface point below it. The displacement is infinite at the origin.
+ * Returns the displacement of a half-space z >= 0 with Young's modulus 1 MPa under a normal force
+ * of 1 N along +z at the origin of its surface (Boussinesq 1885; Johnson 1985, eq. 3.18). `at` and
+ * the result are in mm. For another modulus, the result must be divided by E. If `at` is above the
+ * surface, the result is that of the surface point below `at`. The displacement is infinite at the
+ * origin.
  */
 Eigen::Vector3d boussinesqDisplacement(const Eigen::Vector3d& at, double poissonRatio);
 } // namespace palpate

@@ -7,7 +7,8 @@ namespace palpate
 {
 namespace
 {
-// Measured, see the header: 2.4 to 3.6 kB per node for the matrix; the mean of c for the factor.
+// Measured values (see MemoryForecast). The matrix takes 2.4 to 3.6 kB per node. FactorBytes is the
+// mean of c.
 constexpr double MatrixBytes = 3000.0;
 constexpr double FactorBytes = 750.0;
 } // namespace

@@ -16,13 +16,13 @@ struct AlongSurface
   double distance;
 };
 
-/// Finds the `count` wanted points nearest to `point` along the edges of the surface, the nearest
-/// first. Paths do not pass through another wanted point. Returns fewer points if the connected
-/// part of the surface has fewer.
+/// Returns the `count` points nearest to `point` along the edges of the surface, the nearest first.
+/// Only points for which `isWanted` returns true are found. Paths do not pass through another
+/// wanted point. Returns fewer points if the connected part of the surface has fewer.
 PALPATE_EXPORT std::vector<AlongSurface> nearestAlong(const BodySurface& surface,
   std::int32_t point, std::size_t count, const std::function<bool(std::int32_t)>& isWanted);
 
-/// Weights by 1/distance², with sum 1, in the order of `found`.
+/// Returns weights proportional to 1/distance², with sum 1, in the order of `found`.
 PALPATE_EXPORT std::vector<double> weightsAlong(const std::vector<AlongSurface>& found);
 } // namespace palpate
 

@@ -17,12 +17,12 @@ namespace palpate
 {
 namespace
 {
-/// Fractions of the work that are done after the patches and cut-outs, and after the self-terms.
+/// Fractions of the progress after the patches and cut-outs, and after the self-terms.
 constexpr double CutDone = 0.1;
 constexpr double SelfTermsDone = 0.3;
 
-/// Calls work(i) for i < count on threadCount() threads, in blocks. The observer is called between
-/// the blocks.
+/// Calls work(i) for i < count on threadCount() threads, in blocks. Calls the observer between the
+/// blocks. Returns false if the observer stopped the work.
 template <class Work>
 bool forAll(std::size_t count, const WorkObserver& observer, double from, double to, Work&& work)
 {
@@ -39,21 +39,21 @@ bool forAll(std::size_t count, const WorkObserver& observer, double from, double
   return true;
 }
 
-/// Centres and sizes of a body's elements, for the error of the energy beyond a cut.
+/// Centres and sizes of a body's elements, used for the error of the energy beyond a cut.
 class MissedEnergy
 {
 public:
   explicit MissedEnergy(const VolumeMesh& mesh);
 
-  /// The fraction of the difference (outer - inner) that is added to the self-term of the outer
-  /// cut; 0 for quadratic elements.
+  /// Returns the fraction of the difference (outer - inner) that is added to the self-term of the
+  /// outer cut. It is 0 for quadratic elements.
   double fraction(const Eigen::Vector3d& point, const LocalPatch& patch) const;
 
 private:
   double missedAt(const Eigen::Vector3d& point, std::size_t element) const;
 
   Eigen::Matrix3Xd Middles;
-  std::vector<double> Weights; ///< V h², 0 for quadratic elements
+  std::vector<double> Weights; ///< V h², or 0 for quadratic elements
 };
 
 MissedEnergy::MissedEnergy(const VolumeMesh& mesh)
@@ -98,7 +98,7 @@ double MissedEnergy::fraction(const Eigen::Vector3d& point, const LocalPatch& pa
   return between > 1e-9 * outer ? std::max(all - outer, 0.0) / between : 0.0;
 }
 
-/// Intermediate data of one point: its two loads, and the key of its cut-out.
+/// Intermediate data of one point: the two loads, and the key of the cut-out.
 struct Site
 {
   PatchStatus status = PatchStatus::Valid;
@@ -167,7 +167,7 @@ SparseLoad sparseLoad(
 
 using TermsByKey = std::map<PatchKey, SelfTerms>;
 
-/// Computes the self-terms of all cut-outs; equal cut-outs are computed only once.
+/// Computes the self-terms of all cut-outs. Equal cut-outs are computed only once.
 bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& points, double radius,
   std::vector<Site>& sites, const WorkObserver& observer, TermsByKey& terms)
 {
@@ -188,7 +188,7 @@ bool findSelfTerms(const ElasticBody& body, const std::vector<std::int32_t>& poi
     return false;
   }
   std::vector<std::pair<std::size_t, SelfTerms*>>
-    jobs; // the first site with each key represents all sites with that key
+    jobs; // the first site with a key represents all sites with this key
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (sites[i].status == PatchStatus::Valid)

@@ -14,7 +14,8 @@ namespace
 {
 using Numbers = std::unordered_map<std::int32_t, std::int32_t>;
 
-/// The elements around a node within a distance, found from neighbour to neighbour.
+/// Returns the elements around a node within the distance `reach`, which are found from neighbour
+/// to neighbour.
 std::vector<std::int32_t> elementsAround(
   const VolumeMesh& mesh, const MeshTopology& topology, std::int32_t node, double reach)
 {
@@ -40,13 +41,13 @@ std::vector<std::int32_t> elementsAround(
 
 using Place = std::array<long long, 3>;
 
-/// Positions as integers, in units of `grain`, for sorting and comparing.
+/// Returns a position as integers in units of `grain`, for sorting and comparing.
 Place wholePlace(const Eigen::Vector3d& x, double grain)
 {
   return { std::llround(x[0] / grain), std::llround(x[1] / grain), std::llround(x[2] / grain) };
 }
 
-/// Sorts indices by the positions that `placeOf` returns for them.
+/// Sorts the indices `things` by the positions that `placeOf` returns for them.
 template <class PlaceOf>
 void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
 {
@@ -63,8 +64,8 @@ void sortByPlace(std::vector<std::int32_t>& things, const PlaceOf& placeOf)
   }
 }
 
-/// Boundary faces of the given elements that are connected to a point by triangles whose normals
-/// are within 30° of the point's normal.
+/// Returns the boundary faces of the given elements that are connected to a point by triangles
+/// whose normals are within 30° of the point's normal.
 std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySurface& surface,
   std::int32_t point, const std::unordered_set<std::int32_t>& elements)
 {
@@ -109,7 +110,8 @@ std::vector<std::int32_t> facesOnTop(const MeshTopology& topology, const BodySur
   return faces;
 }
 
-/// Depth of the surface below the tangent plane as a quadratic function of the place in that plane.
+/// Depth of the surface below the tangent plane, as a quadratic function of the position in the
+/// tangent plane.
 struct QuadraticSheet
 {
   Eigen::Matrix<double, 5, 1> coefficient = Eigen::Matrix<double, 5, 1>::Zero();
@@ -121,7 +123,7 @@ struct QuadraticSheet
   double operator()(double x, double y) const { return terms(x, y) * this->coefficient; }
 };
 
-/// Shifts the nodes along z so that the surface becomes the plane z = 0.
+/// Shifts the nodes along z such that the surface becomes the plane z = 0.
 void flatten(VolumeMesh& mesh, const std::vector<unsigned char>& onTop, double spacing)
 {
   std::vector<Eigen::Index> top;
@@ -157,14 +159,14 @@ void flatten(VolumeMesh& mesh, const std::vector<unsigned char>& onTop, double s
   }
 }
 
-/// Marks the role of each node in a cut that consists of the elements `kept`. Nodes are prescribed
-/// on all faces at which the cut ends, except on top.
+/// Returns the role of each node in a cut that consists of the elements `kept`. Nodes are
+/// prescribed on all faces at which the cut ends, except on the free surface.
 std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topology,
   const std::unordered_set<std::int32_t>& topFaces, const std::unordered_set<std::int32_t>& kept,
   std::size_t nodeTotal)
 {
   std::vector<CutNode> marks(nodeTotal, CutNode::Outside);
-  // The second pass sets Prescribed, which has priority.
+  // The roles are set in two passes. The second pass sets Prescribed, which has priority.
   for (const bool prescribing : { false, true })
   {
     for (std::size_t i = 0; i < patch.elements.size(); ++i)
@@ -195,7 +197,7 @@ std::vector<CutNode> markNodes(const LocalPatch& patch, const MeshTopology& topo
   return marks;
 }
 
-/// FNV-1a hash in two streams of 64 bits.
+/// An FNV-1a hash in two streams of 64 bits.
 class KeyStream
 {
 public:
@@ -279,7 +281,7 @@ LocalPatch cutOut(const VolumeMesh& mesh, const MeshTopology& topology, const Bo
     }
   }
   const Eigen::Vector3d origin = mesh.nodes.col(centre);
-  std::unordered_set<std::int32_t> within; // the inner cut
+  std::unordered_set<std::int32_t> within; // the elements of the inner cut
   for (const std::int32_t e : elements)
   {
     const VolumeElement& element = mesh.elements[static_cast<std::size_t>(e)];
@@ -341,8 +343,7 @@ PatchKey patchKey(const LocalPatch& patch)
   }
   for (const VolumeElement& element : patch.mesh.elements)
   {
-    // The sorted nodes are used, because the numbering of equal elements may start at different
-    // corners.
+    // The nodes are sorted, because the numbering of equal elements may start at different corners.
     auto nodes = element.nodes;
     const int count = nodeCount(element.kind);
     std::sort(nodes.begin(), nodes.begin() + count);

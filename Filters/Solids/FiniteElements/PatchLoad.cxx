@@ -11,7 +11,8 @@ namespace palpate
 {
 namespace
 {
-/// The triangles around `point` that a disc of this radius may cover, up to the nearest edges.
+/// Returns the triangles around `point`, up to the nearest edges, that a disc of the given radius
+/// may cover.
 std::vector<std::int32_t> trianglesUnder(
   const BodySurface& surface, std::int32_t point, const Eigen::Matrix3d& frame, double radius)
 {
@@ -61,8 +62,8 @@ std::vector<std::int32_t> trianglesUnder(
   return found;
 }
 
-/// Barycentric coordinates of a point of the tangent plane in a triangle projected along the
-/// normal.
+/// Returns the barycentric coordinates of a point of the tangent plane in a triangle that is
+/// projected along the normal.
 Eigen::Vector3d barycentric(const std::array<Eigen::Vector2d, 3>& corner, const Eigen::Vector2d& at)
 {
   const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -81,7 +82,7 @@ const DiscRule& DiscRule::standard()
   static const DiscRule rule = []
   {
     DiscRule made;
-    // The rule is Gauss-Legendre in the square of the radius, with eight angles per ring; the
+    // The rule is Gauss-Legendre in the square of the radius, with eight angles per ring. The
     // middle ring is rotated.
     const std::array<double, 3> square = { 0.5 - 0.5 * std::sqrt(0.6), 0.5,
       0.5 + 0.5 * std::sqrt(0.6) };
@@ -131,8 +132,8 @@ PatchLoad makePatchLoad(
   const DiscRule& rule = DiscRule::standard();
   for (std::size_t q = 0; q < DiscRule::Count; ++q)
   {
-    // Finds the triangle that contains the point. If the point is on a common edge, the triangle
-    // with the largest smallest coordinate is chosen.
+    // The following loop finds the triangle that contains the point. If the point is on a common
+    // edge, the triangle with the largest smallest coordinate is chosen.
     double deepest = -1e-9;
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::int32_t in = -1;

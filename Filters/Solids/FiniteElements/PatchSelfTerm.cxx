@@ -19,7 +19,8 @@ std::size_t nodeOf(const VolumeElement& element, int i)
   return static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
 }
 
-/// Motion of the half-space under the two loads (3 rows per node), at the prescribed nodes.
+/// Returns the motion of the half-space under the two loads (3 rows per node), at the prescribed
+/// nodes.
 TwoColumns halfSpaceMotion(const LocalPatch& patch)
 {
   TwoColumns motion = TwoColumns::Zero(3 * patch.mesh.nodes.cols(), 2);
@@ -46,7 +47,7 @@ TwoColumns halfSpaceMotion(const LocalPatch& patch)
   return motion;
 }
 
-/// The free nodes of a cut in an order of elimination with little fill-in (minimum degree).
+/// Returns the free nodes of a cut in an order of elimination with little fill-in (minimum degree).
 std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<CutNode>& marks)
 {
   std::vector<std::int32_t> free;
@@ -86,8 +87,8 @@ std::vector<std::int32_t> orderNodes(const LocalPatch& patch, const std::vector<
   return ordered;
 }
 
-/// Motion of one cut under the two loads. Prescribed nodes move as in the half-space. The result is
-/// NaN if the stiffness of the cut is singular.
+/// Returns the motion of one cut under the two loads. Prescribed nodes have the motion of the
+/// half-space. The result is NaN if the stiffness of the cut is singular.
 TwoColumns solveCut(const LocalPatch& patch, std::size_t cut,
   const std::vector<ElementMatrix>& stiffness, const TwoColumns& motion)
 {

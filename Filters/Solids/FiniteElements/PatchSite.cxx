@@ -21,7 +21,7 @@ LocalPatch patchCutAt(
   const ElasticBody& body, std::int32_t point, double radius, const std::array<PatchLoad, 2>& loads)
 {
   const BodySurface& surface = body.surface();
-  // A patch that is wider than the automatic one needs a wider cut.
+  // A patch that is wider than the default needs a wider cut.
   const double unit =
     std::max(surface.spacing(point), patchRadiusAt(body, point, radius) / PatchSpacings);
   return cutOut(body.mesh(), body.topology(), surface, point, loads,

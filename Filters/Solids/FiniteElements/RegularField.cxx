@@ -9,11 +9,11 @@ namespace palpate
 {
 namespace
 {
-/// Weights of the two patches. Their combination equals a point force to order c⁴.
+/// Weights of the two patches. Their combination equals a point force up to terms of order c⁴.
 constexpr std::array<double, 2> PatchWeights = { 4.0 / 3.0, -1.0 / 3.0 };
 
-/// Computes the dent at points of the surface from the elements around the loaded point: x, y, z
-/// per point.
+/// Computes the dent at points of the surface from the elements around the loaded point. Returns
+/// the points and the displacement along x, y, z of each.
 std::vector<std::pair<std::int32_t, Eigen::Vector3d>> dentOfElements(
   const ElasticBody& body, std::int32_t point, const LocalPatch& patch)
 {

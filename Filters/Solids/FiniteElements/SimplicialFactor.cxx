@@ -7,14 +7,16 @@ namespace palpate
 {
 namespace
 {
-/// Number of loads that share a pass through the columns: a few cache lines per unknown.
+/// Number of loads that share a pass through the columns. It corresponds to a few cache lines per
+/// unknown.
 constexpr std::size_t BlockSize = 16;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(BlockSize), Eigen::RowMajor>;
 } // namespace
 
 double SimplicialFactor::Cholesky::predictedNonZeros() const
 {
-  // The starts of columns are ints that may overflow. Their unsigned differences are still correct.
+  // The starts of columns are ints, which may overflow. Their unsigned differences are still
+  // correct.
   const int* starts = this->m_matrix.outerIndexPtr();
   double sum = 0.0;
   for (Eigen::Index i = 0; i < this->m_matrix.outerSize(); ++i)
@@ -28,11 +30,11 @@ bool SimplicialFactor::analyse(const SymmetricSparse& lower)
 {
   this->Solver.analyzePattern(lower);
   const double perEntry = sizeof(double) + sizeof(int);
-  // The memory is that of L, of the permuted copy of K, and of the vectors of the ordering.
+  // The memory is the sum for L, for the permuted copy of K, and for the vectors of the ordering.
   this->Bytes =
     perEntry * (this->Solver.predictedNonZeros() + static_cast<double>(lower.nonZeros())) +
     64.0 * static_cast<double>(lower.rows());
-  // Eigen counts entries in an int.
+  // The number of entries is checked, because Eigen counts entries in an int.
   return this->Solver.predictedNonZeros() < 2147483647.0;
 }
 
@@ -86,7 +88,7 @@ std::vector<double> SimplicialFactor::compliances(
         {
           marked[static_cast<std::size_t>(column)] = 1;
           path.push_back(column);
-          const int next = starts[column] + 1; // the diagonal comes first, then the parent
+          const int next = starts[column] + 1; // the diagonal comes first, followed by the parent
           column = next < starts[column + 1] ? rows[next] : -1;
         }
       }

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Eigen's simplicial Cholesky factor: column by column, one thread.
+/// Eigen's simplicial Cholesky factor. It is computed column by column on one thread.
 class SimplicialFactor : public StiffnessFactor
 {
 public:

@@ -6,11 +6,11 @@
 
 extern "C"
 {
-  // Functions of OpenBLAS; null if another BLAS is used.
+  // Functions of OpenBLAS. They are null if another BLAS is used.
   __attribute__((weak)) int openblas_get_num_threads();
   __attribute__((weak)) void openblas_set_num_threads(int count);
 
-  // Functions of OpenMP; null unless OpenMP is loaded, for example by CHOLMOD.
+  // Functions of OpenMP. They are null unless OpenMP is loaded, for example by CHOLMOD.
   __attribute__((weak)) int omp_get_max_active_levels();
   __attribute__((weak)) void omp_set_max_active_levels(int count);
 }
@@ -18,8 +18,8 @@ extern "C"
 namespace palpate
 {
 /// While an object of this class exists, OpenBLAS uses only the calling thread. Several threads
-/// would sum in another order. They are not needed, since the blocks are already distributed to
-/// threads. The setting applies to the whole process; the last object restores it.
+/// would sum in another order. They are not needed, because the blocks are already distributed to
+/// threads. The setting applies to the whole process. The last object restores it.
 class SingleThreadedBlas
 {
 public:
@@ -55,8 +55,8 @@ private:
 };
 
 /// While an object of this class exists, CHOLMOD starts no threads of its own from this thread.
-/// Otherwise it starts four for each of its loops. These spin while they wait for the next loop,
-/// which takes a third of the time of two cores that are already busy.
+/// Otherwise CHOLMOD starts four threads for each of its loops. These threads spin while they wait
+/// for the next loop, which takes a third of the time of two cores that are already busy.
 class WithoutOpenMp
 {
 public:
@@ -85,13 +85,13 @@ private:
   }
 
   int LevelsBefore = 0;
-  // The runtime may keep one setting for all threads. `LevelsBefore` is then 0 while another object
-  // exists.
+  // The OpenMP runtime may keep one setting for all threads. `LevelsBefore` is then 0 if another
+  // object already exists.
   inline static const int LevelsAtStart = isThere() ? omp_get_max_active_levels() : 0;
 };
 
-/// While an object of this class exists, BLAS and CHOLMOD use only the calling thread: the work is
-/// already distributed to threads.
+/// While an object of this class exists, BLAS and CHOLMOD use only the calling thread, because the
+/// work is already distributed to threads.
 class SingleThread
 {
   SingleThreadedBlas Blas;

@@ -32,7 +32,7 @@ int numberUnknowns(const VolumeMesh& mesh, const MeshTopology& topology,
   return next;
 }
 
-/// The node itself and all later nodes that share an element with it, ascending.
+/// Finds the node itself and all later nodes that share an element with it, in ascending order.
 void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::int32_t node,
   std::vector<std::int32_t>& neighbours)
 {
@@ -53,8 +53,8 @@ void laterNeighbours(const VolumeMesh& mesh, const MeshTopology& topology, std::
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
-/// Sets up the pattern of the lower triangle with zeros. Returns false if an int cannot count the
-/// entries.
+/// Allocates the pattern of the lower triangle and fills it with zeros. Returns false if the number
+/// of entries exceeds the range of int.
 bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<int>& dof,
   int unknowns, SymmetricSparse& lower)
 {
@@ -101,7 +101,7 @@ bool layOut(const VolumeMesh& mesh, const MeshTopology& topology, const std::vec
   return true;
 }
 
-/// One part of the body: its first element and the constraints of its rigid motions.
+/// One part of the body, with its first element and the constraints on its rigid motions.
 struct Part
 {
   std::int32_t firstElement = -1;
@@ -208,7 +208,7 @@ std::string findFloatingPart(
     }
     Part& part = partOf(i);
     const Eigen::Vector3d x = (mesh.nodes.col(i) - part.centre / part.nodes) / part.size;
-    Eigen::Matrix<double, 3, 6> motion; // columns: translations, rotations
+    Eigen::Matrix<double, 3, 6> motion; // columns: three translations, three rotations
     motion << 1, 0, 0, 0, x[2], -x[1], 0, 1, 0, -x[2], 0, x[0], 0, 0, 1, x[1], -x[0], 0;
     for (unsigned axis = 0; axis < 3; ++axis)
     {
@@ -226,8 +226,8 @@ std::string findFloatingPart(
       continue;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(part.stopped);
-    // A motion that is prevented only by nodes within 1e-5 of the part's size from its axis counts
-    // as free.
+    // A rigid motion counts as free if it is prevented only by nodes whose distance from its axis
+    // is below 1e-5 of the part's size.
     const double floor = std::max(1e-10 * spectrum.eigenvalues()[5], 1e-10);
     const auto left = (spectrum.eigenvalues().array() < floor).count();
     if (left > 0)

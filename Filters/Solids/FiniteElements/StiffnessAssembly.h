@@ -9,16 +9,16 @@
 
 namespace palpate
 {
-/// Bits of a node that is fixed along x, y, z.
+/// Bits for a node that is fixed along x, y, z.
 constexpr unsigned char FixedX = 1;
 constexpr unsigned char FixedY = 2;
 constexpr unsigned char FixedZ = 4;
 
-/// Lower triangle of a symmetric matrix, column-major.
+/// Lower triangle of a symmetric matrix, stored column by column.
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /**
- * The stiffness matrix of a body, without fixed unknowns.
+ * The stiffness matrix of a body, without the fixed degrees of freedom.
  *
  * `dof` (3 per node) maps a node's direction to its unknown. It is -1 if the direction is fixed or
  * the node is not part of any element. Unknowns are numbered in the order of the nodes.
@@ -29,8 +29,8 @@ struct StiffnessMatrix
   std::vector<int> dof;
 };
 
-/// Numbers the unknowns and sums the elements. `materials`: one per element, or one for all.
-/// Returns "", or a message about an inverted element with its index.
+/// Numbers the unknowns and sums the element matrices. `materials` has one entry per element, or
+/// one for all elements. Returns "", or an error message with the index of an inverted element.
 PALPATE_EXPORT std::string assembleStiffness(const VolumeMesh& mesh, const MeshTopology& topology,
   const std::vector<ElasticMaterial>& materials, const std::vector<unsigned char>& fixed,
   StiffnessMatrix& stiffness);
@@ -42,10 +42,10 @@ PALPATE_EXPORT void addElement(
 /**
  * Finds a part of the body that is free to move as a whole.
  *
- * A part is connected by shared nodes. Its fixed directions must prevent its six rigid motions.
- * Mechanisms inside a part (two halves that share only an edge) are not searched, because the
- * factorisation fails on them. Returns "", or a sentence with the first element of the part and the
- * number of its free motions.
+ * The nodes that elements share connect a part. The fixed directions of a part must prevent its six
+ * rigid motions. The function does not search for mechanisms inside a part (such as two halves that
+ * share only an edge), because the factorisation fails for a mechanism. Returns "", or a sentence
+ * with the first element of the floating part and the number of its free rigid motions.
  */
 PALPATE_EXPORT std::string findFloatingPart(
   const VolumeMesh& mesh, const MeshTopology& topology, const std::vector<unsigned char>& fixed);

@@ -21,7 +21,7 @@ std::unique_ptr<StiffnessFactor> makeSupernodalFactor()
 #include <algorithm>
 #include <mutex>
 
-// BLAS: B := L⁻¹ B and C := α A B + β C.
+// Functions of BLAS: B := L⁻¹ B and C := α A B + β C.
 extern "C"
 {
   void dtrsm_(const char* side, const char* upper, const char* transposed, const char* unit,
@@ -36,13 +36,13 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per block. The number was found by measurements on a body of 95 000 unknowns
+/// Number of right-hand sides per block. It was chosen by measurements on a body of 95 000 unknowns
 /// (StiffnessFactorBenchmark.cxx).
 constexpr std::size_t SupernodalBlock = 64;
 
 /// L by supernodes, in CHOLMOD's storage. The columns super[s] to super[s+1] - 1 share the rows
-/// rows[pi[s]] to rows[pi[s+1] - 1]; the first of these rows are the columns themselves. Each
-/// supernode is dense and column-major.
+/// rows[pi[s]] to rows[pi[s+1] - 1]. The first of these rows are the columns themselves. Each
+/// supernode is dense and stored column by column.
 struct Supernodes
 {
   explicit Supernodes(const cholmod_factor* factor)
@@ -64,7 +64,7 @@ struct Supernodes
   int columns(int s) const { return this->super[s + 1] - this->super[s]; }
   int rowTotal(int s) const { return this->pi[s + 1] - this->pi[s]; }
   int supernodeOf(int column) const { return this->ofColumn[static_cast<std::size_t>(column)]; }
-  /// The next supernode towards the root, or -1.
+  /// Returns the next supernode towards the root, or -1.
   int parent(int s) const
   {
     return this->rowTotal(s) > this->columns(s)
@@ -81,7 +81,8 @@ struct Supernodes
   std::vector<int> ofColumn;
 };
 
-/// Forward solution of one block of loads, along the union of their paths to the root.
+/// Computes the forward solution of one block of loads, along the union of the paths of these loads
+/// to the root.
 class PathSolver
 {
 public:
@@ -124,7 +125,8 @@ public:
   }
 
 private:
-  /// Start of the block of supernode s in X: columns(s) × count, column-major.
+  /// Returns the start in X of the block of supernode s. The block is columns(s) × count and stored
+  /// column by column.
   std::size_t start(int s, std::size_t count) const
   {
     return static_cast<std::size_t>(this->Offset[static_cast<std::size_t>(s)]) * count;
@@ -147,7 +149,8 @@ private:
         }
       }
     }
-    std::sort(this->Path.begin(), this->Path.end()); // a parent comes after its children
+    // After sorting, a parent comes after its children.
+    std::sort(this->Path.begin(), this->Path.end());
     int offset = 0;
     for (const int s : this->Path)
     {
@@ -178,7 +181,7 @@ private:
     const int* rows = this->Tree.rows + this->Tree.pi[s] + n;
     for (int i = 0; i < below;)
     {
-      // Rows of one ancestor are contiguous.
+      // The rows of one ancestor are contiguous.
       const int a = this->Tree.supernodeOf(rows[i]);
       const int end = this->Tree.super[a + 1];
       int last = i;
@@ -232,22 +235,24 @@ public:
   bool analyse(const SymmetricSparse& lower) override
   {
     cholmod_free_factor(&this->Factor, &this->Common);
-    // METIS seeds and uses the C library's rand(). Two orderings at the same time would mix their
-    // random numbers, and rounding would differ from run to run.
+    // METIS seeds and uses rand() of the C library. Two simultaneous orderings would share one
+    // sequence of random numbers, and rounding would differ from run to run. Therefore only one
+    // ordering runs at a time.
     static std::mutex ordering;
     const std::lock_guard<std::mutex> lock(ordering);
     cholmod_sparse matrix = view(lower);
     this->Factor = cholmod_analyze(&matrix, &this->Common);
     if (this->Factor == nullptr && this->Common.status == CHOLMOD_NOT_INSTALLED)
     {
-      this->Common.method[0].ordering = CHOLMOD_AMD; // this SuiteSparse has no METIS
+      this->Common.method[0].ordering = CHOLMOD_AMD; // used because this SuiteSparse has no METIS
       this->Factor = cholmod_analyze(&matrix, &this->Common);
     }
     if (this->Factor == nullptr)
     {
       return false;
     }
-    // The memory is that of L, its pattern, the permuted copy of K, and the largest front.
+    // The memory is the sum for L, for its pattern, for the permuted copy of K, and for the largest
+    // front.
     this->Bytes = 8.0 * static_cast<double>(this->Factor->xsize) +
       4.0 * static_cast<double>(this->Factor->ssize) +
       12.0 * static_cast<double>(lower.nonZeros()) +
@@ -274,14 +279,15 @@ public:
   Eigen::MatrixXd solveAll(const Eigen::MatrixXd& loads) const override
   {
     const SingleThread single;
-    cholmod_common common; // workspace of this thread; the factor is only read
+    cholmod_common common; // workspace of this thread; several threads only read the factor
     cholmod_start(&common);
     common.print = 0;
     cholmod_dense right{};
     right.nrow = right.d = static_cast<std::size_t>(loads.rows());
     right.ncol = static_cast<std::size_t>(loads.cols());
     right.nzmax = right.nrow * right.ncol;
-    right.x = const_cast<double*>(loads.data()); // the cast is safe: CHOLMOD only reads the loads
+    // The cast is safe, because CHOLMOD only reads the loads.
+    right.x = const_cast<double*>(loads.data());
     right.xtype = CHOLMOD_REAL;
     Eigen::MatrixXd x;
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, this->Factor, &right, &common);
@@ -309,7 +315,8 @@ public:
     const SingleThread single;
     std::vector<double> result(loads.size(), 0.0);
     const std::size_t blocks = (order.size() + SupernodalBlock - 1) / SupernodalBlock;
-    // The blocks, and so the results, do not depend on the number of threads.
+    // The blocks do not depend on the number of threads. Therefore the results do not depend on it
+    // either.
     const auto solveBlock = [&, solver = PathSolver(supernodes)](std::size_t block) mutable
     {
       const std::size_t first = block * SupernodalBlock;
@@ -329,7 +336,7 @@ private:
     cholmod_sparse matrix{};
     matrix.nrow = matrix.ncol = static_cast<std::size_t>(lower.rows());
     matrix.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    // The cast is safe: CHOLMOD does not write to its input.
+    // The cast is safe, because CHOLMOD does not write to its input.
     matrix.p = const_cast<int*>(lower.outerIndexPtr());
     matrix.i = const_cast<int*>(lower.innerIndexPtr());
     matrix.x = const_cast<double*>(lower.valuePtr());

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// CHOLMOD's supernodal factor; null if Palpate was built without CHOLMOD.
+/// Returns CHOLMOD's supernodal factor. Returns null if Palpate was built without CHOLMOD.
 std::unique_ptr<StiffnessFactor> makeSupernodalFactor();
 } // namespace palpate
 

@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-/// Returns loads on the unknowns, one column for each force and moment about the place. A force is
-/// distributed to the nodes of the element by the shape functions; a moment M is distributed as
+/// Returns loads on the unknowns, one column for each force and moment about the position `place`.
+/// The shape functions of the element distribute a force to its nodes. A moment M is distributed as
 /// half of M × the gradients of the shape functions.
 Eigen::MatrixXd unitLoads(
   const ElasticBody& body, const Eigen::Vector3d& place, const ElementPlace& beside)
@@ -45,7 +45,7 @@ Eigen::MatrixXd unitLoads(
   return loads;
 }
 
-/// Copies the solutions to the free directions of the nodes. Held directions keep their value.
+/// Copies the solutions to the free directions of the nodes. Held directions keep their values.
 void spread(const ElasticBody& body, const Eigen::MatrixXd& solved, UnitMotion& motion)
 {
   const auto nodes = static_cast<std::int32_t>(body.mesh().nodes.cols());

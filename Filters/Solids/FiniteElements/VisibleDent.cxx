@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double DentEnds = 0.5;            // cos 60°
-constexpr double DentIsWhole = 0.642787610; // cos 50°
+constexpr double DentEnds = 0.5;            // cos 60°; beyond this angle the dent is not included
+constexpr double DentIsWhole = 0.642787610; // cos 50°; up to this angle the whole dent is included
 } // namespace
 
 std::vector<double> dentFades(const BodySurface& surface, std::int32_t point)
@@ -48,7 +48,7 @@ Eigen::Vector3d dentAt(const BodySurface& surface, std::int32_t point, std::int3
 {
   const Eigen::Vector3d chord = surface.position(at) - surface.position(point);
   const Eigen::Vector3d& normal = surface.normal(at);
-  // The zero vector remains zero.
+  // If the chord is along the normal, the zero vector remains zero.
   const Eigen::Vector3d away = (chord - chord.dot(normal) * normal).normalized();
   const Eigen::Vector3d flat = boussinesqDisplacement(
     Eigen::Vector3d(std::max(chord.norm(), nearest), 0.0, 0.0), poissonRatio);

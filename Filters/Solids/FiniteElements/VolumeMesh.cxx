@@ -19,7 +19,7 @@ constexpr std::array<ElementFace, 4> QuadraticFaces = { { { 3, 6, { 0, 1, 3, 4, 
 
 struct FaceRecord
 {
-  std::array<std::int32_t, 4> corners; // sorted
+  std::array<std::int32_t, 4> corners; // node numbers in ascending order
   std::int32_t element;
   int face;
 };

@@ -12,9 +12,10 @@ namespace palpate
 namespace
 {
 constexpr std::size_t SampledBlocks = 12;
-constexpr std::size_t SourcesPerBlock = 16; ///< number of sources used from each sampled block
+/// Number of sources that are used from each sampled block.
+constexpr std::size_t SourcesPerBlock = 16;
 
-/// Number of nearest samples that have the same weight in the median around a place.
+/// Number of nearest samples that have the same weight in the median around a position.
 constexpr std::size_t NearestOfMedian = 8;
 constexpr double LargestOverMedian = 3.0;
 } // namespace
@@ -49,7 +50,7 @@ std::vector<BendingError::Sample> BendingError::sample(const ElasticBody& body,
   }
   if (samples.empty())
   {
-    return samples; // without this return, energyErrors() would still visit every element
+    return samples; // without this return, energyErrors() would visit every element
   }
   const std::vector<double> energies = energyErrors(body, moved);
   for (std::size_t k = 0; k < samples.size(); ++k)
@@ -64,15 +65,15 @@ BendingError::BendingError(std::vector<Sample> samples)
 {
 }
 
-/// Weighted median of e over bending. The weight is the bending divided by the squared distance;
-/// the nearest samples (NearestOfMedian) have the same distance in the weight.
+/// Returns the weighted median of e divided by bending. The weight is the bending divided by the
+/// squared distance. In this weight, the nearest samples (NearestOfMedian) have the same distance.
 double BendingError::medianAround(const std::vector<double>& squares) const
 {
   std::vector<double> nearest = squares;
   const auto last = static_cast<std::ptrdiff_t>(std::min(NearestOfMedian, nearest.size())) - 1;
   std::nth_element(nearest.begin(), nearest.begin() + last, nearest.end());
   const double alike = nearest[static_cast<std::size_t>(last)];
-  std::vector<std::pair<double, double>> weighted; // a ratio and its weight
+  std::vector<std::pair<double, double>> weighted; // ratios e / bending, and their weights
   double total = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i)
   {
@@ -102,7 +103,7 @@ double BendingError::at(const Eigen::Vector3d& place) const
   {
     return Assumed;
   }
-  std::vector<double> squares; // squared distances, mm²
+  std::vector<double> squares; // squared distances of the samples from `place`, mm²
   for (const Sample& sample : this->Samples)
   {
     squares.push_back(std::max((sample.place - place).squaredNorm(), 1e-300));
@@ -121,8 +122,8 @@ double BendingError::at(const Eigen::Vector3d& place) const
     bends += weight * sample.bending;
     missed += weight * BoundOfEnergy * sample.energy;
   }
-  // The smoothed stresses miss the same fraction x of the missed part, and so on. The total is x +
-  // x² + ...
+  // The smoothed stresses do not represent the fraction x of the missed part either, and so on. The
+  // total is the series x + x² + ...
   return missed < bends ? std::clamp(missed / (bends - missed), Least, Most) : Most;
 }
 } // namespace palpate

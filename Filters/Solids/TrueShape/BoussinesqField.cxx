@@ -28,7 +28,7 @@ Eigen::Matrix3d BoussinesqField::scaledStrain(const Eigen::Vector3d& at) const
   const double cube = square * distance;
   const double fifth = 3.0 / (cube * square);
   const double compressible = 1.0 - 2.0 * this->PoissonRatio;
-  // x/(R(R+z)) and the common factors of its derivatives.
+  // The factor x/(R(R+z)) of the displacement, and the common factors of its derivatives.
   const double a = 1.0 / (distance * (distance + z));
   const double turn = compressible * a * a * (2.0 + z / distance);
   const double plane = z / cube - compressible * a;

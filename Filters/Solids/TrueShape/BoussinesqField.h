@@ -7,12 +7,12 @@
 namespace palpate
 {
 /**
- * Field in the half-space z >= 0 under 1 N along +z at the origin of its surface (Boussinesq 1885;
- * Johnson 1985, eq. 3.18 and 3.19). Units mm and MPa.
+ * Field in the half-space z >= 0 under a force of 1 N along +z at the origin of its surface
+ * (Boussinesq 1885; Johnson 1985, eq. 3.18 and 3.19), in mm and MPa.
  *
- * The field is continued analytically to z < 0, where it has no body forces either but is singular
- * on the axis x = y = 0. It is infinite at the origin. The field depends on the place alone: the
- * body in which it is evaluated may have any shape.
+ * The field is continued analytically to z < 0. There it also has no body forces, but is singular
+ * on the axis x = y = 0. It is infinite at the origin. The field depends only on the position.
+ * Therefore the body in which it is evaluated may have any shape.
  */
 class BoussinesqField
 {
@@ -25,11 +25,11 @@ public:
 
   Eigen::Vector3d displacement(const Eigen::Vector3d& at) const;
   Eigen::Matrix3d strain(const Eigen::Vector3d& at) const;
-  /// The stress at a place; it does not depend on E.
+  /// Returns the stress at a position. It does not depend on E.
   Eigen::Matrix3d stress(const Eigen::Vector3d& at) const;
 
 private:
-  /// 4πG times the symmetric part of the displacement gradient.
+  /// Returns 4πG times the symmetric part of the displacement gradient.
   Eigen::Matrix3d scaledStrain(const Eigen::Vector3d& at) const;
 
   double Shear;

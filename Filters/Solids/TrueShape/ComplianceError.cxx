@@ -26,7 +26,8 @@ std::vector<std::int32_t> samplePoints(const ElasticBody& body, const PatchCompl
 {
   const BodySurface& surface = body.surface();
   std::vector<std::int32_t> candidates;
-  // Sum over the triangles around the candidates; each triangle counts at its three corners.
+  // The area is summed over the triangles around the candidates. Each triangle counts at its three
+  // corners.
   double area = 0.0;
   for (std::int32_t i = 0; i < surface.pointTotal(); ++i)
   {
@@ -65,7 +66,7 @@ std::vector<double> complianceErrors(
     const Eigen::MatrixXd smooth = body.factor().solveAll(right);
     if (smooth.size() == 0)
     {
-      return; // there is not enough memory for an estimate
+      return; // there is not enough memory for an estimate of the error
     }
     std::vector<Eigen::Matrix3Xd> moved;
     for (std::size_t s = first; s < last; ++s)
@@ -87,7 +88,7 @@ std::vector<double> complianceErrors(
   {
     return {};
   }
-  // Between the samples the error varies as ElementError predicts for the place.
+  // Between the samples, the error is proportional to the prediction of ElementError.
   const ElementError expected(body);
   const auto expectedAt = [&](std::int32_t point)
   { return expected.at(SingularSource(body, point)).error; };

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// The slope at x1 of the parabola through three points.
+/// Returns the slope at x1 of the parabola through three points.
 double middleSlope(double x0, double x1, double x2, double y0, double y1, double y2)
 {
   const double before = (y1 - y0) / (x1 - x0);
@@ -19,7 +19,7 @@ double middleSlope(double x0, double x1, double x2, double y0, double y1, double
   return (before * (x2 - x1) + after * (x1 - x0)) / (x2 - x0);
 }
 
-/// Slopes from parabolas, limited such that the cubic is monotone.
+/// Returns slopes that follow from parabolas and are limited such that the cubic is monotone.
 std::vector<double> monotoneSlopes(const std::vector<double>& x, const std::vector<double>& y)
 {
   const std::size_t n = x.size();
@@ -129,7 +129,7 @@ IndentationPoint ContactCurve::evaluate(double deflection) const
   const double rise = this->Ordinates[i + 1] - this->Ordinates[i];
   const double a = width * this->Slopes[i];
   const double b = width * this->Slopes[i + 1];
-  // Hermite cubic y₀ + t(a + t((3 rise - 2a - b) + t(a + b - 2 rise))).
+  // This is the Hermite cubic y₀ + t(a + t((3 rise - 2a - b) + t(a + b - 2 rise))).
   const double second = 3.0 * rise - 2.0 * a - b;
   const double third = a + b - 2.0 * rise;
   const double y = this->Ordinates[i] + t * (a + t * (second + t * third));

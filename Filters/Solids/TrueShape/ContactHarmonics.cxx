@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// d ln F / d ln a at a sample, from its neighbours.
+/// Returns d ln F / d ln a at a sample, from the neighbouring samples.
 double growth(const std::vector<ContactSample>& samples, std::size_t i)
 {
   const std::size_t low = i > 0 ? i - 1 : 0;
@@ -20,30 +20,32 @@ double growth(const std::vector<ContactSample>& samples, std::size_t i)
     std::log(samples[high].radius / samples[low].radius);
 }
 
-/// Ratio of the third-order error to the second-order correction for the shape of the surface.
-/// Measured on random waves against contacts solved without an angle mean (SurfaceGapTest).
+/// Ratio of the third-order error to the second-order correction for the shape of the surface. It
+/// was measured on random waves, against contacts that were solved without a mean over angles
+/// (SurfaceGapTest).
 constexpr double GapErrorFactor = 0.4;
-/// If the relative error of the second order is at most this value, the second order is enough.
-/// Otherwise the contact is solved (UnevenContact).
+/// If the relative error of the second-order correction is at most this value, the correction is
+/// sufficient. Otherwise the contact is solved (UnevenContact).
 constexpr double SufficientError = 0.01;
-/// Error of the cells of a solved contact: a fraction of its difference from the mean contact, and
-/// a fraction of the force. Measured in the same way.
+/// Error of the cells of a solved contact, as a fraction of the contact's difference from the mean
+/// contact, and as a fraction of the force. Both were measured in the same way as GapErrorFactor.
 constexpr double UnevenErrorFactor = 0.05;
 constexpr double CellError = 0.002;
 /// Ratio of the relative error of the force, due to the assumption of small slopes, to the mean
-/// square slope. A ball's contact with a/R = 0.4 has a mean square slope of 0.08; its error is up
-/// to 1 % (ShapedContactTest).
+/// square slope. The contact of a ball with a/R = 0.4 has a mean square slope of 0.08 and an error
+/// of up to 1 % (ShapedContactTest).
 constexpr double SlopeErrorFactor = 0.25;
-/// One in this many growing contacts is solved.
+/// While the contact grows, one in this many contacts is solved.
 constexpr std::size_t ContactsPerSolution = 3;
 /// Ratio of the distance between the smooth patches and the true body to the geometric mean of two
 /// lengths: the distance of the facets from the patches and the unevenness of the facets' edges.
-/// Measured on bumps that the points resolve and on bumps that they do not (GapOfSurfaceTest), and
-/// on scans of a bunny and a dragon thinned to a third, a tenth or a twentieth of the points.
+/// The ratio was measured on bumps that the points resolve, on bumps that they do not resolve
+/// (GapOfSurfaceTest), and on scans of a bunny and a dragon that were thinned to a third, a tenth
+/// or a twentieth of the points.
 constexpr double FacetErrorFactor = 1.0 / 3.0;
 /// Ratio of the square of the residual's g (SurfaceGap) to the mean square of the residual itself.
 constexpr double RoughnessFactor = 30.0;
-/// Mean square slope of the angle mean of the surface under a contact.
+/// Returns the mean square slope of the mean surface (the mean over angles) under a contact.
 double meanSlope(const Eigen::Vector4d& drop, double radius)
 {
   double sum = 0.0;
@@ -57,27 +59,27 @@ double meanSlope(const Eigen::Vector4d& drop, double radius)
   return sum / (radius * radius);
 }
 
-/// Difference of the compliance n·Γn, mm/N, between a force that is inclined by the slope and a
-/// force along the normal. The magnitude of the first term is used, so that the result is an upper
-/// bound.
+/// Returns the difference of the compliance n·Γn, mm/N, between a force that is inclined by the
+/// slope and a force along the normal. The magnitude of the first term is used, so that the result
+/// is an upper bound.
 double changeOfCompliance(const Eigen::Matrix3d& directed, const Eigen::Vector2d& slope)
 {
   return 2.0 * slope.norm() * directed.col(2).head<2>().norm() +
     slope.dot(directed.topLeftCorner<2, 2>() * slope);
 }
 
-/// Effect on a contact of the surface's shape around the axis.
+/// Effect of the surface's shape around the axis on a contact.
 struct Unevenness
 {
   double depth = 0.0; ///< reduction of δ under the same force, mm
-  double left = 0.0;  ///< error of that reduction, mm
-  double slope = 0.0; ///< mean square
+  double left = 0.0;  ///< error of `depth`, mm
+  double slope = 0.0; ///< mean square slope of the surface under the contact
   double cells = 0.0; ///< error of the cells, as a fraction of the force
 };
 
-/// While the contact grows, solves one in ContactsPerSolution contacts and the last one; at the
-/// wall, solves every contact. The effects on the other contacts are interpolated. A contact that
-/// extends beyond the known surface gets the larger error (GapErrorFactor).
+/// Solves contacts and interpolates the effects on the other contacts. While the contact grows, one
+/// in ContactsPerSolution contacts and the last contact are solved. At the wall, every contact is
+/// solved. A contact that extends beyond the known surface gets the larger error (GapErrorFactor).
 void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing, double modulus,
   UnevenContact& uneven, std::vector<Unevenness>& shape)
 {
@@ -96,8 +98,8 @@ void solveUneven(const std::vector<ContactSample>& samples, std::size_t growing,
       CellError };
     for (std::size_t k = before + 1; k < i; ++k)
     {
-      // On an inclined plane the value is the same at all radii. With unequal curvatures it grows
-      // as a².
+      // On an inclined plane, the effect is the same at all radii. With unequal curvatures, it
+      // grows as a².
       const double t = static_cast<double>(k - before) / static_cast<double>(i - before);
       const auto between = [&](double Unevenness::*part)
       {
@@ -129,7 +131,7 @@ void addHarmonics(CurveSamples& curve, const ContactKernels& at, const Axisymmet
       continue;
     }
     const ContactKernel& kernel = curve.kernels[i];
-    // da/dF; 0 if the radius is constant.
+    // da/dF. It is 0 if the radius is constant.
     const double grows = i < curve.growing && curve.growing > 1 ? growth(samples, i) : Infinity;
     const double widens = grows > 0.0 ? s.radius / (s.force * grows) : 0.0;
     const double torque = 4.0 / 3.0 * modulus * s.radius * s.radius * s.radius;

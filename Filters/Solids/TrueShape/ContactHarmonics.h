@@ -12,22 +12,22 @@ namespace palpate
 {
 class AxisymmetricTool;
 
-/// A curve under construction: its samples, and the kernel and the stiffness of each sample.
+/// A curve during its construction: its samples, and the kernel and the stiffness of each sample.
 struct CurveSamples
 {
   std::vector<ContactSample> samples;
   std::vector<ContactKernel> kernels;
-  std::vector<double> stiffness; ///< N/mm
-  /// The contact radius grows up to this number of samples. It is constant for the later samples.
+  std::vector<double> stiffness; ///< stiffness of each sample, N/mm
+  /// Number of samples up to which the contact radius grows. It is constant for the later samples.
   std::size_t growing = 0;
 };
 
 /// Corrects the deflections of a curve's samples, to second order, for the parts of the shape that
-/// the angle mean omits (ShapedContact.h). If the second order is not enough and the surface is
-/// known, the contact of `tool` with the surface is solved (UnevenContact). Adds three errors to
-/// the samples: the residual of this correction, the effect of the surface between its points, and
-/// the change of the compliance due to the direction of the force, which follows the slope of the
-/// surface.
+/// the mean over angles omits (ShapedContact.h). If the second order is not sufficient and the
+/// shape of the surface is known, the contact of `tool` with the surface is solved (UnevenContact).
+/// Adds three errors to the samples: the residual of this correction; the effect of the surface
+/// between its points; and the change of the compliance due to the direction of the force, which
+/// follows the slope of the surface.
 void addHarmonics(CurveSamples& curve, const ContactKernels& at, const AxisymmetricTool& tool);
 } // namespace palpate
 

@@ -14,14 +14,14 @@ namespace palpate
 {
 namespace
 {
-/// Number of points that a polynomial of degree 0, 2, 4, 6 needs.
+/// Number of points that are needed for a polynomial of degree 0, 2, 4, 6.
 constexpr std::array<std::size_t, 4> PointsOfOrder = { 1, 9, 21, 37 };
-/// A least-squares fit with a pivot below this fraction of the largest does not determine its
-/// terms.
+/// If the smallest pivot of a least-squares fit is below this fraction of the largest pivot, the
+/// points do not determine the terms.
 constexpr double LeastPivot = 1e-3;
 
-/// Largest weight of the points under a contact that is small compared with its disc. A larger
-/// weight would hide the other points.
+/// Largest weight of the points under a contact that is small compared with its disc. With a larger
+/// weight, the other points would have no effect.
 constexpr double LargestEmphasis = 100.0;
 
 int termsOfDegree(int degree)
@@ -29,7 +29,7 @@ int termsOfDegree(int degree)
   return (degree + 1) * (degree + 2) / 2;
 }
 
-/// The mean of cos^i sin^j over the circle, i and j even: (i-1)!! (j-1)!! / (i+j)!!.
+/// Returns the mean of cos^i sin^j over the circle for even i and j, (i-1)!! (j-1)!! / (i+j)!!.
 double angleMean(int i, int j)
 {
   double mean = 1.0;
@@ -48,7 +48,8 @@ double angleMean(int i, int j)
   return mean;
 }
 
-/// Weight of a point at t radii: 1 up to t = 1, then falling to 0 at DiscRatio.
+/// Returns the weight of a point at a distance of t contact radii. It is 1 up to t = 1, and
+/// decreases to 0 at DiscRatio.
 double fade(double t)
 {
   const double s =
@@ -56,10 +57,11 @@ double fade(double t)
   return s * s * (3.0 - 2.0 * s);
 }
 
-/// Matrix that maps values at points to fitted terms: the even terms of the angle mean (`order`
-/// rows), then the two slopes, for the disc scaled to radius 1. If the disc is larger than the
-/// contact, the points under the contact have as much weight as all points of the disc together:
-/// near an edge H varies over a disc of few elements.
+/// Returns the matrix that maps values at points to fitted terms. The terms are the even terms of
+/// the mean over angles (`order` rows), followed by the two slopes, for the disc scaled to radius
+/// 1. If the disc is larger than the contact, the points under the contact have as much weight as
+/// all points of the disc together. This is because H varies near an edge over a disc of few
+/// elements.
 Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index count, double radius,
   double contact, int order, bool& good)
 {
@@ -98,8 +100,8 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
   {
     taken(order, 1) = taken(order + 1, 2) = 1.0;
   }
-  // Computes taken · A⁺ with A Π = Q R from the right, which solves a few rows instead of one
-  // system per point.
+  // The product taken · A⁺ is computed with A Π = Q R from the right. This solves a few rows
+  // instead of one system per point.
   Eigen::MatrixXd rows = (taken * qr.colsPermutation()).transpose();
   qr.matrixQR()
     .topLeftCorner(terms, terms)
@@ -110,15 +112,15 @@ Eigen::MatrixXd fitOperator(const std::vector<DiscPoint>& points, Eigen::Index c
   return rows.transpose() * thin.transpose() * weights.asDiagonal();
 }
 
-/// The fit of one disc.
+/// The fit on one disc.
 struct DiscFit
 {
-  Eigen::MatrixXd rows; ///< result of fitOperator()
+  Eigen::MatrixXd rows; ///< matrix of the fit, from fitOperator()
   Eigen::Index count = 0;
   double disc = 0.0; ///< radius of the disc, mm
   int order = 0;
 
-  /// Factors from powers of r/disc to powers of r/a.
+  /// Returns the factors from powers of r/disc to powers of r/a.
   Eigen::VectorXd scale(double radius) const
   {
     Eigen::VectorXd powers(this->order);
@@ -140,8 +142,8 @@ struct DiscFit
   }
 };
 
-/// Makes the fit around a contact of this radius, with the largest order for which there are enough
-/// points.
+/// Returns the fit around a contact of the given radius, with the largest order for which there are
+/// enough points.
 DiscFit fitDisc(const std::vector<DiscPoint>& points, double radius, int largestOrder)
 {
   const std::size_t ring = std::min(PointsOfOrder[1], points.size()) - 1;
@@ -195,7 +197,7 @@ ContactKernelFit::ContactKernelFit(const RegularGreen& green, std::int32_t point
     if (green.isSource(at.point))
     {
       this->Points.push_back(at);
-      // The points of a thinned set are evenly spread, so all have the same weight.
+      // The points of a thinned set are evenly spread. Therefore all have the same weight.
       this->Points.back().area = green.spacing() > 0.0 ? 1.0 : at.area;
     }
   }

@@ -17,10 +17,10 @@ namespace palpate
 namespace
 {
 constexpr std::size_t LoadsPerBlock = 96;
-/// Number of iterations for the mean direction, starting with the axis.
+/// Number of iterations for the mean direction of the pressures. The first direction is the axis.
 constexpr int MostDirectionUpdates = 2;
-/// Smallest covered area of a corner, as a fraction of the mean over all corners. Corners below it
-/// are left out.
+/// Smallest covered area of a corner, as a fraction of the mean over all corners. Corners with a
+/// smaller area are left out.
 constexpr double LeastCovered = 0.02;
 } // namespace
 
@@ -146,7 +146,8 @@ double DirectContact::touchesBefore() const
   return before;
 }
 
-/// Compliance between all corners, with the three directions of the tool's frame for each corner.
+/// Returns the compliance between all corners, for the three directions of the tool's frame at each
+/// corner.
 Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
 {
   const std::size_t count = this->Corners.size();
@@ -190,8 +191,9 @@ Eigen::MatrixXd DirectContact::compliance(const ElasticBody& body) const
   return made;
 }
 
-/// A force on a corner is equivalent to a force at the place and a moment about it. The motion of
-/// the part's cut under these loads moves all corners.
+/// Adds the motion of the surrounding body to the compliance. A force on a corner is equivalent to
+/// a force at the place and a moment about the place. The motion of the part's cut under these
+/// loads moves all corners.
 void DirectContact::addRest(
   const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const
 {

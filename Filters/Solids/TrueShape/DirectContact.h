@@ -21,7 +21,7 @@ enum class Pushed
   EachAlongItsOwn
 };
 
-/// Force, stiffness and contact radius at one depth.
+/// Force, stiffness and contact radius at one depth of the tool.
 struct DirectForce
 {
   /// Force along the direction of the press, N; NaN if no converged contact was found.
@@ -31,43 +31,42 @@ struct DirectForce
 };
 
 /**
- * A tool pressed straight into an elastic body of hexahedra or tetrahedra: the solution uses
+ * A tool pressed straight into an elastic body of hexahedra or tetrahedra. The solution uses
  * neither a Green function nor a half-space nor a law of contact.
  *
  * The pressures are linear on the body's facets between their corners. The condition of no
- * penetration is satisfied on average: at each corner it applies to the weighted mean of the gap
- * over the facets around that corner. Gaps are measured along the tool's axis. The model is linear
- * in displacements and gaps, unilateral and without friction. The mesh must be fine under the tool:
- * with four quadratic facets over the contact radius the force of a sphere is within 1 %
- * (DirectContactTest).
+ * penetration is satisfied on average: it applies to the mean of the gap, weighted over the facets
+ * around each corner. Gaps are measured along the tool's axis. The model is linear in displacements
+ * and gaps, unilateral and without friction. The mesh must be fine under the tool: with four
+ * quadratic facets over the contact radius the force of a sphere is within 1 % (DirectContactTest).
  *
- * Without friction the pressures act along the normal, which turns from the body's normal to the
- * tool's normal during the press. A solution at finite strain includes this effect and all other
- * terms of second order. On balls and in cavities with radii down to three contact radii, the force
- * at finite strain is within 1 % of the force with pressures along the mean normal, and up to 4 %
- * above the force with each pressure along its own normal. If the tool touches walls on several
- * sides, either variant may be closer to the truth: their difference is a measure of the error, and
- * only pressAtFiniteStrain() shows which is right.
+ * Without friction, the pressures act along the normal of the contact. During the press this
+ * direction changes from the body's normal to the tool's normal. A solution at finite strain
+ * includes this effect and all other terms of second order. On balls and in cavities with radii
+ * down to three contact radii, the force at finite strain is within 1 % of the force with pressures
+ * along the mean normal, and up to 4 % above the force with each pressure along its own normal. If
+ * the tool touches walls on several sides, either variant may be more accurate. Their difference is
+ * a measure of the error, and only pressAtFiniteStrain() shows which variant is correct.
  *
- * The body may be a part that was cut out of a larger one and is held on the cut. `rest` then gives
- * the motion of the part with the surrounding body.
+ * The body may be a part that was cut out of a larger body and is held on the cut. `rest` then
+ * contains the motion of the part due to the surrounding body.
  *
  * Cost: three solutions per corner that may touch.
  */
 class PALPATE_EXPORT DirectContact
 {
 public:
-  /// The tool must outlive this object. `deepest`: largest depth of the calls of at(), mm; the mean
-  /// direction is found there.
+  /// The tool must outlive this object. `deepest` is the largest depth at which at() is called, mm.
+  /// The mean direction of the pressures is computed at this depth.
   DirectContact(const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at,
     double deepest, const UnitMotion* rest = nullptr);
 
-  /// Number of corners that may touch.
+  /// Returns the number of corners that may touch.
   int corners() const { return static_cast<int>(this->Corners.size()); }
 
-  /// Distance (mm) by which the tool touches the body elsewhere before it reaches the place, as in
-  /// a hollow that is too narrow for it. If the distance exceeds the depth, the displacements of
-  /// the walls are too large for the assumption of small displacements.
+  /// Returns the distance (mm) between the first touch at another place of the body and the touch
+  /// at the point. It is > 0 in a hollow that is too narrow for the tool. If it exceeds the depth,
+  /// the displacements of the walls are too large for the assumption of small displacements.
   double touchesBefore() const;
 
   DirectForce at(double deflection, Pushed pushed = Pushed::TogetherAlongTheMean) const;
@@ -78,35 +77,37 @@ private:
   {
     double depth;  ///< position along the tool's axis, inwards, mm
     double away;   ///< distance from the tool's axis, mm
-    double weight; ///< weight in the mean of the corner
+    double weight; ///< weight in the mean over the pieces of the corner
   };
-  /// A part of the surface with one displacement and one pressure.
+  /// A part of the surface around a corner of the facets, with one displacement and one pressure.
   struct Corner
   {
     std::vector<Piece> pieces;
     std::vector<std::pair<std::int32_t, double>> nodes; ///< nodes and their weights
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< inwards, with component 1 along the axis
-    double area = 0.0;                                ///< projected along the axis, mm²
+    /// Inward normal, scaled to the component 1 along the axis.
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double area = 0.0; ///< area projected along the axis, mm²
   };
 
   void takeCorners(const std::vector<ToolFacet>& facets);
   Eigen::MatrixXd compliance(const ElasticBody& body) const;
   void addRest(const ElasticBody& body, const UnitMotion& rest, Eigen::MatrixXd& compliance) const;
-  /// Compliance between the corners: displacements along `pushes` under unit forces along `pushes`.
-  /// `pushes` has one column per corner.
+  /// Returns the compliance between the corners: the displacements along `pushes` under unit forces
+  /// along `pushes`. `pushes` has one column per corner.
   Eigen::MatrixXd along(const Eigen::MatrixXd& compliance, const Eigen::Matrix3Xd& pushes) const;
   void pushAlongMean(const Eigen::MatrixXd& compliance, double deepest);
-  /// Finds the forces on the corners along the axis (N) and the corners that touch. Returns false
+  /// Finds the forces on the corners along the axis (N), and the corners that touch. Returns false
   /// if the iteration does not converge.
   bool solve(double deflection, const Eigen::MatrixXd& compliance, Eigen::VectorXd& forces,
     std::vector<int>& active) const;
 
   const AxisymmetricTool& Tool;
   DirectPlace At;
-  Eigen::Matrix3d Frame; ///< columns: two tangents, then inwards
+  Eigen::Matrix3d Frame; ///< columns: two tangents and the inward direction
   double Reached;        ///< radius beyond which no part of the tool can touch, mm
   std::vector<Corner> Corners;
-  /// Compliance between the corners along their pushes, mm/N, for each Pushed.
+  /// Compliance between the corners along the directions of pressure, mm/N, for each value of
+  /// Pushed.
   std::array<Eigen::MatrixXd, 2> Compliance;
 };
 } // namespace palpate

@@ -7,13 +7,13 @@ namespace palpate
 {
 namespace
 {
-/// Regularisation relative to the sum of the weights. Components of Γ that depend on smaller
-/// differences of the normals become nearly zero; other components are slightly reduced.
+/// Regularisation relative to the sum of the weights. Components of Γ that depend on very small
+/// differences of the normals become nearly zero. Other components are slightly reduced.
 constexpr double Damping = 1e-3;
 
-using Entries = Eigen::Matrix<double, 6, 1>; ///< xx, yy, zz, yz, xz, xy
+using Entries = Eigen::Matrix<double, 6, 1>; ///< The entries xx, yy, zz, yz, xz, xy of Γ.
 
-/// The matrix that maps the entries of Γ to Γ n.
+/// Returns the matrix that maps the entries of Γ to Γ n.
 Eigen::Matrix<double, 3, 6> motionOfEntries(const Eigen::Vector3d& n)
 {
   Eigen::Matrix<double, 3, 6> rows;

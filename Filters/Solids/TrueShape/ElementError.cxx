@@ -8,12 +8,13 @@ namespace palpate
 {
 namespace
 {
-/// Factor on the second-order estimate. With it, 2 of 100 errors exceed the estimate.
+/// Factor on the second-order estimate. With this factor, 2 of 100 errors exceed the estimate.
 constexpr double MissedFactor = 1.5;
-constexpr double LinearMissedFactor = 7.5; ///< factor for linear tetrahedra, which lock
-/// Reduction at held faces, where elements have the exact displacement.
+/// Value of MissedFactor for linear tetrahedra, which lock.
+constexpr double LinearMissedFactor = 7.5;
+/// Factor on the contribution of held faces, where elements have the exact displacement.
 constexpr double HeldFactor = 0.5;
-/// The spacing of quadratic tetrahedra is divided by this factor.
+/// The spacing of quadratic tetrahedra is divided by this factor, because they are more accurate.
 constexpr double QuadraticGain = 1.25;
 
 double gainOf(ElementKind kind)
@@ -21,26 +22,28 @@ double gainOf(ElementKind kind)
   return kind == ElementKind::QuadraticTetrahedron ? QuadraticGain : 1.0;
 }
 
-/// A face belongs to the smooth surface around the source if it is nearly level with the source and
-/// turned by no more than 30°.
+/// A face belongs to the smooth surface around the source if two conditions hold: its normal is
+/// within 30° of the normal at the source, and it is nearly level with the source.
 constexpr double SmoothTurn = 0.866;
 constexpr double SmoothSlope = 0.3;
-/// On the smooth surface the missed part is multiplied by this factor times the angle by which the
-/// surface turns over one element: where a surface is smooth, the effect of its curvature on H is
-/// smooth too. Measured on balls and bumps.
+/// On the smooth surface, the missed part is multiplied by this factor times the angle by which the
+/// normal varies over one element, because the curvature of a smooth surface has a smooth effect on
+/// H. The factor was measured on balls and bumps.
 constexpr double SmoothFactor = 2.0;
 
-/// (h/r)², at most 1.
+/// Returns (h/r)², at most 1.
 double missedPart(double spacing, double distance)
 {
   const double ratio = spacing / std::max(distance, 1e-300);
   return std::min(1.0, ratio * ratio);
 }
-/// Reduction of the missed part at a free face in the frame of the source, 1 for no reduction.
+/// Returns the factor on the missed part at a free face in the frame of the source; 1 means no
+/// reduction.
 double smoothPart(const Eigen::Vector3d& area, const Eigen::Vector3d& at, double spacing)
 {
   const double away = at.head<2>().norm();
-  const double level = -area[2] / area.norm(); // cosine of the turn; z points inwards
+  // Cosine of the angle between the normals; z points inwards.
+  const double level = -area[2] / area.norm();
   if (!(level > SmoothTurn) || std::abs(at[2]) > SmoothSlope * std::max(away, spacing))
   {
     return 1.0;
@@ -105,8 +108,8 @@ ExpectedError ElementError::at(const SingularSource& source) const
     {
       return at;
     }
-    // For a part that overhangs the source, the field at the edge of the cone is used, at the same
-    // distance.
+    // For a part of the body that overhangs the source, the field at the edge of the cone, at the
+    // same distance, is used.
     constexpr double level =
       1.0 - SingularSource::LargestOverhang * SingularSource::LargestOverhang;
     const double aside = at.head<2>().norm();

@@ -11,14 +11,16 @@ namespace palpate
 {
 namespace
 {
-/// Shape functions of a face and their derivatives in its two coordinates.
+/// Shape functions of a face, and their derivatives with respect to the two coordinates of the
+/// face.
 struct FaceShape
 {
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 2> slope = Eigen::Matrix<double, 6, 2>::Zero();
 };
 
-/// Corners of [-1, 1]² or of the unit triangle, then the mid-edge nodes of the triangle.
+/// Returns the coordinates of a node: the corners of [-1, 1]² or of the unit triangle, followed by
+/// the mid-edge nodes of the triangle.
 Eigen::Vector2d nodePlace(int count, int i)
 {
   constexpr std::array<std::array<double, 2>, 4> square = { { { -1, -1 }, { 1, -1 }, { 1, 1 },
@@ -62,15 +64,15 @@ FaceShape shapeAt(int count, const Eigen::Vector2d& xi)
   return s;
 }
 
-/// A point of a rule: its weight and the shape functions there.
+/// A point of a quadrature rule: its weight, and the shape functions at the point.
 struct RulePoint
 {
   double weight;
   FaceShape shape;
 };
 
-/// Tensor Gauss rules with n points in each direction. On triangles they are collapsed into a
-/// corner.
+/// Returns a tensor Gauss rule with n points in each direction. On triangles, the rule is collapsed
+/// into a corner.
 std::vector<RulePoint> makeRule(int count, int n)
 {
   const GaussLegendre gauss(n);
@@ -122,7 +124,7 @@ FacePoint pointOf(const FaceShape& shape)
   return point;
 }
 
-/// Triangles with a corner at the origin, over the smooth surface.
+/// Computes the points on triangles with a corner at the origin, over the smooth surface.
 void fanPoints(const LocalFace& face, std::vector<FacePoint>& points)
 {
   static const GaussLegendre gauss(4);
@@ -136,7 +138,7 @@ void fanPoints(const LocalFace& face, std::vector<FacePoint>& points)
     const Eigen::Vector2d b = nodePlace(n, (c + 1) % corners) - origin;
     if (a[0] * b[1] - a[1] * b[0] < 1e-9)
     {
-      continue; // the edge passes through the origin
+      continue; // the edge passes through the origin, so its triangle has no area
     }
     for (int i = 0; i < 4; ++i)
     {

@@ -16,25 +16,26 @@ namespace
 {
 /// Depths of the solution, as fractions of the largest depth.
 constexpr std::array<double, 6> Fractions = { 0.08, 0.2, 0.38, 0.58, 0.79, 1.0 };
-/// The depth is increased by this factor times the last penetration, because the penetration grows
-/// until the next depth is reached.
+/// The depth is increased by this factor times the last penetration. The factor is above 1, because
+/// the penetration grows until the next depth is reached.
 constexpr double PenetrationFactor = 1.6;
 constexpr int MostCorrections = 4;
-/// Largest distance from first touch to the place, in contact radii. With a larger distance nearly
-/// a whole ball would be inside the hollow, and parts of the body above the place would touch the
-/// tool, too.
+/// Largest distance from the first touch to the point, in contact radii. With a larger distance,
+/// nearly a whole ball would be inside the hollow, and parts of the body above the point would also
+/// touch the tool.
 constexpr double LongestApproach = 3.0;
-/// Largest step, as fractions of the largest depth and of the distance to the place.
+/// Largest step, as a fraction of the largest depth and as a fraction of the distance to the point.
 constexpr double LongestStep = 0.3;
 constexpr double LongestApproachStep = 0.2;
-constexpr int MostFailed = 4;      ///< failed steps in depth; each halves the step
+/// Largest number of failed steps in depth; each failure halves the step.
+constexpr int MostFailed = 4;
 constexpr int MostIterations = 40; ///< largest number of iterations of Newton's method
 constexpr int MostHalvings = 8;    ///< largest number of halvings of one Newton step
-/// Fractions of the stiffness at rest. They are added in turn to a tangent that is not positive
-/// definite.
+/// Fractions of the stiffness in the undeformed state. They are added one after the other to a
+/// tangent that is not positive definite.
 constexpr std::array<double, 5> AddedStiffness = { 0.0, 0.05, 0.3, 2.0, 10.0 };
-/// The iteration ends when the relative decrease of the energy is below this value: the next
-/// decrease would be about its square.
+/// The iteration ends when the relative decrease of the energy is below this value, because the
+/// next decrease would be about the square of this value.
 constexpr double LastDecrease = 1e-7;
 constexpr double Fillet = 0.05; ///< radius of the fillet of the tool's apex, in contact radii
 constexpr double ReachOfOutline = 3.0; ///< radius of the outline, in contact radii
@@ -43,11 +44,11 @@ constexpr double ReachOfOutline = 3.0; ///< radius of the outline, in contact ra
 /// surrounding body rotates the place.
 constexpr double RotationErrorFactor = 2.5;
 
-/// Newton's method on the potential at successive depths.
+/// Applies Newton's method to the potential at successive depths.
 class FinitePress
 {
 public:
-  /// Starts at the depth of first touch.
+  /// Starts the solution at the depth of the first touch.
   explicit FinitePress(FinitePart& part)
     : Part(part)
     , Factor(StiffnessFactor::make(StiffnessFactor::Kind::Automatic))
@@ -79,7 +80,7 @@ public:
   }
 
 private:
-  /// Takes one step to `depth`. If no equilibrium is found, the state is restored.
+  /// Takes one step to `depth`. Restores the state and returns false if no equilibrium is found.
   bool stepTo(double depth)
   {
     const Eigen::VectorXd before = this->Solution;
@@ -125,9 +126,9 @@ private:
     return true;
   }
 
-  /// Finds one Newton step. If the tangent is not positive definite, a fraction of the tangent of
-  /// the undeformed state is added, so that the potential decreases along the step. Returns that
-  /// fraction; < 0 if no step is found.
+  /// Finds one Newton step. If the tangent is not positive definite, a fraction of the tangent in
+  /// the undeformed state is added, so that the potential decreases along the step. Returns this
+  /// fraction; a value < 0 means that no step was found.
   double step(double depth, Eigen::VectorXd& found)
   {
     const auto isFound = [&]() {
@@ -192,11 +193,11 @@ private:
   Eigen::VectorXd Motion; ///< change of the displacements per mm of depth
   Eigen::VectorXd Gradient;
   FinitePart::Pressed Contact;
-  double Depth; ///< mm
+  double Depth; ///< depth of the tool in the last equilibrium, mm
   int Failed = 0;
 };
 
-/// Whether the body has one material and consists of quadratic tetrahedra.
+/// Returns whether the body has one material and consists of quadratic tetrahedra.
 bool isSupported(const ElasticBody& body)
 {
   const auto& elements = body.mesh().elements;
@@ -206,7 +207,7 @@ bool isSupported(const ElasticBody& body)
       { return element.kind == ElementKind::QuadraticTetrahedron; });
 }
 
-/// Below the first sample the curve is a power with the exponent at that sample.
+/// Returns the curve. Below the first sample, it is a power of δ with the exponent at that sample.
 ContactCurve curveOf(const std::vector<ContactSample>& samples)
 {
   if (samples.empty())
@@ -245,7 +246,7 @@ ContactCurve pressAtFiniteStrain(const ElasticBody& body, const AxisymmetricTool
   std::vector<ContactSample> samples;
   for (const double fraction : Fractions)
   {
-    // Because of the penalty the deflection is smaller than the depth; the difference grows with
+    // Because of the penalty, the deflection is smaller than the depth. The difference grows with
     // the force.
     const double wanted = fraction * deepest;
     bool isThere = true;

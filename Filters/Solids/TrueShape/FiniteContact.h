@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Whether a tool can be pressed at finite strain. The tool must have no flat end, whose rim would
-/// need a finer mesh.
+/// Returns whether a tool can be pressed at finite strain. The tool must have no flat end, because
+/// the rim of a flat end would need a finer mesh.
 inline bool isForFiniteStrain(const AxisymmetricTool& tool)
 {
   return !(tool.smallestContactRadius() > 0.0);
@@ -18,26 +18,26 @@ inline bool isForFiniteStrain(const AxisymmetricTool& tool)
 
 /**
  * A tool pressed straight into an elastic body of quadratic tetrahedra at finite strain
- * (Neo-Hooke), without friction. The surface moves aside and turns, and the pressures act along the
- * tool's normal. This solution is valid where DirectContact is uncertain: for contact with walls on
- * several sides, and for bodies that turn away as they bend. Contact of the body with itself is not
- * modelled.
+ * (Neo-Hooke), without friction. The solution includes tangential motion and rotation of the
+ * surface. The pressures act along the tool's normal. This solution is valid where DirectContact is
+ * uncertain: for contact with walls on several sides, and for bodies that rotate away from the tool
+ * when they bend. Contact of the body with itself is not modelled.
  *
- * The potential of FinitePart is minimised by Newton's method at a few depths. The solution starts
- * where the tool first touches, up to three contact radii before the place, and continues to
- * `deepest` (mm), or to the last depth with an equilibrium. If the body is unstable, such as a flap
- * that snaps aside, the solution follows the equilibrium of lower energy. The curve is empty if no
- * equilibrium is found, for other kinds of elements, for several materials and for tools with a
- * flat end. Contact radii refer to the undeformed area.
+ * Newton's method minimises the potential of FinitePart at a few depths. The solution starts where
+ * the tool first touches, which may be up to three contact radii before the tip reaches the point.
+ * It continues to `deepest` (mm), or to the last depth with an equilibrium. If the body is
+ * unstable, such as a flap that snaps aside, the solution follows the equilibrium of lower energy.
+ * The curve is empty if no equilibrium is found. It is also empty for elements of other types, for
+ * several materials, and for tools with a flat end. Contact radii refer to the undeformed area.
  *
- * `rest` is used as in DirectContact: the surrounding body moves as at small strain. If the motion
- * of the surrounding body rotates the place by θ, small strain gives wrong length changes of θ²/2.
- * On a bar held at one end the force is then up to 2.5 θ² too large (FiniteContactTest); this is
- * the strain error of the curve.
+ * `rest` is used as in DirectContact, with small strain in the surrounding body. If the motion of
+ * the surrounding body rotates the place by θ, the assumption of small strain gives erroneous
+ * length changes of θ²/2. On a bar held at one end, the relative error of the force is then up to
+ * 2.5 θ² (FiniteContactTest). This is the strain error of the curve.
  *
- * With four facets over the contact radius the force is within 1 % of the axisymmetric solver on a
- * layer. Cost: about 35 factorisations of the stiffness, and more if the distance from first touch
- * to the place is long.
+ * With four facets over the contact radius, the force on a layer is within 1 % of that of the
+ * axisymmetric solver. Cost: about 35 factorisations of the stiffness, and more if the distance
+ * from the first touch to the point is long.
  */
 PALPATE_EXPORT ContactCurve pressAtFiniteStrain(const ElasticBody& body,
   const AxisymmetricTool& tool, const DirectPlace& at, double deepest,

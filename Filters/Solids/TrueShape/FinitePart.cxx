@@ -11,11 +11,11 @@ namespace palpate
 {
 namespace
 {
-/// Penalty in units of E* per contact radius. The tool penetrates the body by a few hundredths of
-/// its depth; the depth is corrected for this.
+/// Penalty in units of E* per contact radius. With this penalty, the tool penetrates the body by a
+/// few hundredths of its depth. The depth is corrected for the penetration.
 constexpr double PenaltyFactor = 100.0;
-/// Factor on the depth for the set of facets that may touch at finite strain, where the surface
-/// also moves aside.
+/// Factor on the depth for the set of facets that may touch. It is needed at finite strain, because
+/// the surface also moves tangentially.
 constexpr double FacetDepthFactor = 1.2;
 } // namespace
 
@@ -148,7 +148,7 @@ void FinitePart::addBorder(const VolumeElement& element, const ElementMatrix& st
   }
 }
 
-/// Deformed place, in the tool's frame.
+/// Returns the deformed position of a piece, in the tool's frame.
 Eigen::Vector3d FinitePart::placeOf(const Piece& piece, const Vector& u) const
 {
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
@@ -305,7 +305,7 @@ double FinitePart::firstTouch() const
 
 FinitePart::Pressed FinitePart::pressed(const Vector& u, double depth) const
 {
-  // A deeper tool is equivalent to a body that is raised by the same distance.
+  // An increase of the depth is equivalent to raising the body by the same distance.
   const Eigen::Vector3d deeper = -this->Frame.col(2);
   Pressed made;
   made.gradient = Vector::Zero(this->unknowns());

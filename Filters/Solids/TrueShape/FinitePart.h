@@ -15,52 +15,60 @@ namespace palpate
 /**
  * The potential of a body of quadratic tetrahedra and of a tool that is pressed into it, as a
  * function of the displacements of the body's nodes. It is the sum of the energies of
- * FiniteTetrahedron and of ½ε⟨-g⟩² over the undeformed surface, with the signed distance g from the
- * tool. Friction is not included.
+ * FiniteTetrahedron and of the integral of ½ε⟨-g⟩² over the undeformed surface, where ε is the
+ * penalty and g the signed distance from the tool. Friction is not included.
  *
- * If the body is a part cut out of a larger one, the nodes on the cut move as those of the larger
- * body do under loads. The magnitudes of these loads are the last unknowns. The surrounding body
- * stores their energy (PartRest). At small strain these unknowns are equal to the load of the tool.
+ * If the body is a part that was cut out of a larger body, the nodes on the cut have the motion of
+ * the larger body under certain loads. The magnitudes of these loads are the last unknowns. The
+ * surrounding body stores the energy of this motion (PartRest). At small strain, these unknowns are
+ * equal to the load of the tool.
  */
 class FinitePart
 {
 public:
   using Vector = Eigen::VectorXd;
 
-  /// The body, of one material, and the outline must outlive this object. `deepest`: largest depth,
-  /// mm. `rest` null: held nodes do not move.
+  /// The body and the outline must outlive this object. The body must have one material. `deepest`
+  /// is the largest depth, mm. If `rest` is null, held nodes do not move.
   FinitePart(const ElasticBody& body, const AxisymmetricTool& tool, const ToolOutline& outline,
     const DirectPlace& at, double deepest, const UnitMotion* rest);
 
   Eigen::Index unknowns() const { return this->free() + this->loads(); }
   bool isTouched() const { return !this->Surface.empty(); }
-  /// Depth at which the tool first touches the undeformed body, mm: 0, or less than 0 in a hollow
-  /// that is too narrow for the tool.
+  /// Returns the depth at which the tool first touches the undeformed body, mm. It is 0, or less
+  /// than 0 in a hollow that is too narrow for the tool.
   double firstTouch() const;
 
-  /// The potential, N mm, with the tool's tip at `depth` (mm); +inf if an element is inverted.
+  /// Returns the potential, N mm, with the tool's tip at `depth` (mm). It is +inf if an element is
+  /// inverted.
   double energy(const Vector& u, double depth) const;
 
-  /// Whether the tangent includes the curvature of the tool's surface. It matters while the tool
-  /// penetrates too deeply.
+  /// Whether the tangent includes the curvature of the tool's surface. The curvature matters while
+  /// the tool penetrates too deeply.
   enum class ToolCurvature
   {
     Included,
     Omitted ///< used if the tangent with the curvature is not positive definite
   };
-  /// Gradient of the potential. stiffness(), border() and corner() are then its second derivatives.
+  /// Computes the gradient of the potential. stiffness(), border() and corner() are then the second
+  /// derivatives of the potential.
   void linearize(const Vector& u, double depth, ToolCurvature curvature, Vector& gradient);
-  /// Adds a fraction of the second derivatives of the undeformed state.
+  /// Adds a fraction of the second derivatives in the undeformed state to stiffness(), border() and
+  /// corner().
   void stiffen(double share);
-  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; } ///< nodes × nodes
-  const Eigen::MatrixXd& border() const { return this->Border; }             ///< nodes × load
-  const Eigen::MatrixXd& corner() const { return this->Corner; }             ///< load × load
+  /// Second derivatives of the potential, nodes × nodes.
+  const SymmetricSparse& stiffness() const { return this->Stiffness.lower; }
+  /// Second derivatives of the potential, nodes × loads.
+  const Eigen::MatrixXd& border() const { return this->Border; }
+  /// Second derivatives of the potential, loads × loads.
+  const Eigen::MatrixXd& corner() const { return this->Corner; }
 
   struct Pressed
   {
-    double force = 0.0;  ///< force on the tool, along the direction of the press, N
+    double force = 0.0;  ///< force on the tool along the direction of the press, N
     double radius = 0.0; ///< radius of the circle with the same undeformed area as the contact, mm
-    double penetration = 0.0; ///< penetration due to the penalty, mean weighted by pressure, mm
+    /// Penetration due to the penalty, as the mean weighted by pressure, mm.
+    double penetration = 0.0;
     /// Angle by which the motion of the surrounding body rotates the place, rad.
     double turned = 0.0;
     Vector gradient; ///< derivative of the potential's gradient with respect to depth
@@ -68,10 +76,10 @@ public:
   Pressed pressed(const Vector& u, double depth) const;
 
 private:
-  using Piece = SurfacePiece; ///< place in the tool's frame
+  using Piece = SurfacePiece; ///< A position in the tool's frame.
   struct Gap
   {
-    double value;             ///< mm, > 0 outside
+    double value;             ///< gap, mm, > 0 outside the tool
     Eigen::Vector3d gradient; ///< gradient with respect to the displacement
     Eigen::Matrix3d hessian;
   };
@@ -81,7 +89,7 @@ private:
   void takeSurface(const std::vector<ToolFacet>& facets);
   FiniteTetrahedron::Vector gather(const VolumeElement& element, const Vector& u) const;
   double displacement(std::int32_t node, int axis, const Vector& u) const;
-  /// Motion of an element's held nodes per unit load.
+  /// Returns the motion of an element's held nodes per unit load.
   Eigen::MatrixXd restOf(const VolumeElement& element) const;
   /// Adds a force on a node to a gradient.
   void addForce(std::int32_t node, const Eigen::Vector3d& force, Vector& gradient) const;
@@ -98,7 +106,7 @@ private:
   const ElasticBody& Body;
   const ToolOutline& Tool;
   Eigen::Matrix3d Frame;
-  double Penalty; ///< MPa/mm
+  double Penalty; ///< stiffness of the penalty, MPa/mm
   std::vector<FiniteTetrahedron> Elements;
   std::vector<Piece> Surface;
   PartRest Rest;

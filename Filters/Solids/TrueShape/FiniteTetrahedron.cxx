@@ -22,13 +22,13 @@ struct Moduli
 
 using Displacements = Eigen::Map<const Eigen::Matrix<double, 3, 10>>;
 
-/// The deformation gradient F.
+/// Returns the deformation gradient F.
 Eigen::Matrix3d deformation(const Displacements& u, const Eigen::Matrix<double, 3, 10>& gradients)
 {
   return Eigen::Matrix3d::Identity() + u * gradients.transpose();
 }
 
-/// dP/dF. The entry (j, b) of block (i, a) is ∂P_ij/∂F_ab.
+/// The derivative dP/dF. The entry (j, b) of block (i, a) is ∂P_ij/∂F_ab.
 struct Tangent
 {
   Tangent(const Moduli& moduli, const Eigen::Matrix3d& f, const Eigen::Matrix3d& g, double j)

@@ -11,22 +11,23 @@
 namespace palpate
 {
 /**
- * A tetrahedron of ten nodes at finite strain, with the Neo-Hookean energy μ/2 (J^(-2/3) I₁ - 3) +
- * K/2 (J-1)² per undeformed volume, as in StrainEnergy.h for bodies of revolution. It has four
- * Gauss points. At small strain it is equal to the element of ElasticElement.h.
+ * A tetrahedron with ten nodes at finite strain, with the neo-Hookean energy μ/2 (J^(-2/3) I₁ - 3)
+ * + K/2 (J-1)² per undeformed volume, as in StrainEnergy.h for bodies of revolution. The element
+ * has four Gauss points. At small strain, it is equal to the element of ElasticElement.h.
  */
 class FiniteTetrahedron
 {
 public:
-  using Vector = Eigen::Matrix<double, 30, 1>; ///< x, y, z of the nodes, node by node
+  using Vector = Eigen::Matrix<double, 30, 1>; ///< x, y, z of each node, node by node
 
   /// The element must not be inverted.
   explicit FiniteTetrahedron(const ElementNodes& nodes);
 
-  /// Energy under displacements of the nodes (mm), N mm; +inf if the element is inverted.
+  /// Returns the energy under displacements of the nodes (mm), N mm. It is +inf if the element is
+  /// inverted.
   double energy(const ElasticMaterial& material, const Vector& u) const;
-  /// Nodal forces that hold the element in this state, N, and their derivative, N/mm. The element
-  /// must not be inverted.
+  /// Computes the nodal forces that hold the element in the state `u`, N, and the derivative of
+  /// these forces, N/mm. The element must not be inverted.
   void linearize(const ElasticMaterial& material, const Vector& u, Vector& forces,
     ElementMatrix& stiffness) const;
 
@@ -34,7 +35,7 @@ private:
   struct Point
   {
     Eigen::Matrix<double, 3, 10> gradients; ///< gradients of the shape functions, 1/mm
-    double weight;                          ///< mm³
+    double weight;                          ///< volume that the point represents, mm³
   };
   std::array<Point, 4> Points;
 };

@@ -11,19 +11,19 @@ namespace palpate
 {
 /**
  * The edges of a body's surface where its held part ends, each with the adjacent free triangle. A
- * contact at any place of the surface, also between its points, must keep a distance from these
- * edges.
+ * contact anywhere on the surface must not reach these edges.
  */
 class PALPATE_EXPORT HeldRim
 {
 public:
-  HeldRim() = default; ///< no part is held
+  HeldRim() = default; ///< Creates an object for a body without a held part.
   /// The body must be assembled. The object keeps no reference to it.
   explicit HeldRim(const ElasticBody& body);
 
-  /// Distance from a place of the surface with this outward normal to the nearest edge, mm; +inf if
-  /// there is no edge. Only edges are used whose triangle faces the same way, within 40°, the limit
-  /// under a contact (SurfaceDisc). Safe from any number of threads. Cost: a few ns per edge.
+  /// Returns the distance from a position on the surface to the nearest edge, mm; +inf if there is
+  /// no edge. `normal` is the outward normal at the position. Only edges are used whose free
+  /// triangle has a normal within 40° of `normal`, which is the limit under a contact
+  /// (SurfaceDisc). Thread-safe. Cost: a few ns per edge.
   double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
 private:

@@ -14,7 +14,8 @@ struct VolumePoint
   double weight;
 };
 
-/// Tensor Gauss rules on [-1, 1]³, or collapsed into a corner on the unit tetrahedron.
+/// Returns a tensor Gauss rule on [-1, 1]³. On the unit tetrahedron, the rule is collapsed into a
+/// corner.
 std::vector<VolumePoint> makeVolumeRule(bool hexahedron, int n)
 {
   const GaussLegendre gauss(n);

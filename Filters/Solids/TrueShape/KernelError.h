@@ -7,18 +7,20 @@
 
 namespace palpate
 {
-/// Expected error of a contact's compliance due to the elements, mm/N. It combines these parts: the
-/// error expected for the place (ElementError), which is smaller for a contact wider than the
-/// elements; the error of bending (BendingError); the error of facets on a curved surface (measured
-/// on a ball). If a second mesh gives an estimate, it is combined with these three. Two more parts
-/// are added: the error of the interpolation between the places with known H, and that of a contact
-/// near held points, where two meshes may share the same error. The moduli of mixed cells are not
+/// Returns the expected error of a contact's compliance due to the elements, mm/N. It combines
+/// three parts: the error that is expected for the position (ElementError), which is smaller for a
+/// contact wider than the elements; the error of bending (BendingError); and the error of facets on
+/// a curved surface, which was measured on a ball. If a second mesh gives an estimate, this
+/// estimate is combined with the three parts. Two more parts are added: the error of the
+/// interpolation between the positions with known H, and the error of a contact near held points,
+/// where two meshes may have the same error. The error of the moduli of mixed cells is not
 /// included.
 PALPATE_EXPORT double meshError(const ContactKernel& kernel, const KernelSite& site, double radius);
 
-/// Error of a kernel of one term, mm/N, used if an edge or a base leaves too few sources for more
-/// terms. It estimates how much H varies with the distance from that limit, between source and
-/// point and under the contact.
+/// Returns the error of a kernel with one term, mm/N. Such a kernel is used if an edge or a base is
+/// so close that there are too few sources for more terms. The error is an estimate of the
+/// variation of H with the distance from the edge or base, between source and point and under the
+/// contact.
 PALPATE_EXPORT double missedByOne(
   const ContactKernel& kernel, const KernelSite& site, double radius);
 } // namespace palpate

@@ -17,14 +17,16 @@ namespace
 {
 constexpr std::size_t RadiusCount = 17;
 
-/// A limit at a larger distance, in units of the largest contact radius, is ignored.
+/// Largest distance of a limit, in units of the largest contact radius. A limit at a larger
+/// distance is ignored.
 constexpr double FarLimit = 2.0;
 
-/// Limits for the plane through landmarks: the smallest ratio of the smaller to the larger spread,
-/// and the largest sum of the absolute weights. If a limit is violated, the mean is used.
+/// Limits for the plane through landmarks: the smallest allowed ratio of the smaller to the larger
+/// spread of the landmarks, and the largest allowed sum of the absolute weights. If the plane
+/// violates a limit, the mean is used.
 constexpr double LeastSpreadOfPlane = 0.02;
 constexpr double LargestWeights = 3.0;
-/// Added to the square of the distance relative to the mean distance.
+/// Term that is added to the square of the distance relative to the mean distance.
 constexpr double NearLandmark = 1e-3;
 
 /// Converts coefficients of powers of r/from to coefficients of powers of r/to.
@@ -113,7 +115,8 @@ BlendedKernels::Weights BlendedKernels::weigh(
     w.positions.col(k) = (frame.transpose() * away).head<2>();
   }
   const double scale = w.near.mean() + 1e-300;
-  // The weight at a landmark is finite, so that its neighbours still determine the plane.
+  // The weight at a landmark itself is finite. Therefore the neighbours of the landmark still
+  // determine the plane.
   w.near = ((w.near / scale).array().square() + NearLandmark).inverse();
   w.near /= w.near.sum();
   w.plane = Eigen::Matrix3Xd::Zero(3, count);
@@ -165,7 +168,7 @@ void BlendedKernels::blendSites(const LandmarkKernels& landmarks, const SurfaceS
   this->Site.limitedBy = this->Site.limit < largest ? by : PatchStatus::Valid;
   if (this->Site.limit == 0.0 && by == PatchStatus::OutOfReach)
   {
-    this->Site.status = by; // the place is inside the held part of the surface
+    this->Site.status = by; // the position is inside the held part of the surface
   }
   this->Site.nearestSource = 0.0;
   this->Site.spacing = blend([](const KernelSite& site) { return site.spacing; });

@@ -10,11 +10,12 @@
 namespace palpate
 {
 /**
- * The kernels of a body at its landmarks, the sources of its H, for contacts at any place between
- * landmarks, for example on a surface that is finer than the elements. They are valid for any tool.
+ * The kernels of a body at its landmarks, which are the sources of its H. They are used for
+ * contacts at any position between landmarks, for example on a surface that is finer than the
+ * elements. The kernels are valid for any tool.
  *
- * The kernels are fitted once (ContactKernelFit), at radii that increase by a factor of about 5/4.
- * Between radii and between landmarks they are interpolated linearly.
+ * The kernels are fitted once (ContactKernelFit), at contact radii that increase by a factor of
+ * about 5/4. Between the radii and between the landmarks, they are interpolated linearly.
  */
 class PALPATE_EXPORT LandmarkKernels
 {
@@ -24,23 +25,23 @@ public:
   explicit LandmarkKernels(const RegularGreen& green, const WorkObserver& observer = {});
   bool isComplete() const { return this->Complete; }
 
-  /// The surface points that are landmarks, ascending.
+  /// Returns the surface points that are landmarks, in ascending order.
   const std::vector<std::int32_t>& points() const { return this->Points; }
   const RegularGreen& green() const { return this->Green; }
-  /// Contact radii of the fits, ascending, mm.
+  /// Returns the contact radii of the fits in ascending order, mm.
   const std::vector<double>& radii() const { return this->Radii; }
-  /// Material of the body at landmark i of points().
+  /// Returns the material of the body at landmark i of points().
   const ElasticMaterial& material(std::size_t i) const { return this->Landmarks[i].site.material; }
 
 private:
   friend class BlendedKernels;
 
-  /// The kernels at one radius: that of the largest order, and that of one order less.
+  /// The kernels at one radius: `full` with the largest order, and `coarse` with one order less.
   struct Entry
   {
     Eigen::Matrix4d full = Eigen::Matrix4d::Zero();
     Eigen::Matrix4d coarse = Eigen::Matrix4d::Zero();
-    /// Tilt of the kernel, along the axes of the body.
+    /// Tilt of the kernel, in components along the axes of the body.
     Eigen::Vector3d tilt = Eigen::Vector3d::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< ContactKernel::normal of `full`
     Eigen::Vector3d coarseNormal = Eigen::Vector3d::Zero(); ///< ContactKernel::normal of `coarse`
@@ -49,44 +50,44 @@ private:
   struct Landmark
   {
     KernelSite site;
-    std::vector<Entry> entries; ///< one per radius of Radii
+    std::vector<Entry> entries; ///< kernels of the landmark, one entry per radius of Radii
   };
 
   const RegularGreen& Green;
-  std::vector<double> Radii; ///< ascending, mm
+  std::vector<double> Radii; ///< contact radii of the kernels in ascending order, mm
   std::vector<std::int32_t> Points;
-  std::vector<Landmark> Landmarks; ///< one per point of Points
+  std::vector<Landmark> Landmarks; ///< one landmark per point of Points
   bool Complete = false;
 };
 
-/// The surface at a place of contact.
+/// The surface at the position of a contact.
 struct SurfaceSpot
 {
-  Eigen::Vector3d place;  ///< mm
-  Eigen::Vector3d normal; ///< outward, unit
+  Eigen::Vector3d place;  ///< position, mm
+  Eigen::Vector3d normal; ///< outward unit normal
   SurfaceGap gap;
 };
 
 /**
- * Kernels at a place between landmarks. The values at the landmarks are fitted by a linear function
- * of the position in the tangent plane, by least squares weighted by the inverse square of the
- * distance. The residual of the fit is the kernel's `spread`. If the landmarks are on a line, or
- * all on one side, their mean is used. First the c₀₀ of each landmark is converted from its own
- * normal to the normal of the place (DirectedCompliance). The drop of the surface is that of the
- * spot's gap. The distance to the held part is that of HeldRim, because there may be no landmark
- * near the edge of that part.
+ * Kernels at a position between landmarks. A linear function of the position in the tangent plane
+ * is fitted to the values at the landmarks, by least squares with weights of 1/distance². The
+ * residual of the fit is the kernel's `spread`. If the landmarks are on a line, or all on one side
+ * of the position, their mean is used. Before the fit, the c₀₀ of each landmark is converted from
+ * the normal of the landmark to the normal at the position (DirectedCompliance). The drop of the
+ * surface is that of the spot's gap. The distance to the held part is that of HeldRim, because
+ * there may be no landmark near the edge of the held part.
  */
 class PALPATE_EXPORT BlendedKernels : public ContactKernels
 {
 public:
-  /// `around`: indices in LandmarkKernels::points(), nearest first. Landmarks whose material
-  /// differs from that of the first one are left out. Without any landmark the site is out of
-  /// reach.
+  /// `around` contains indices in LandmarkKernels::points(), nearest first. Landmarks whose
+  /// material differs from that of the first landmark are left out. Without any landmark, the
+  /// status of the site is OutOfReach.
   BlendedKernels(const LandmarkKernels& landmarks, const SurfaceSpot& spot,
     const std::vector<std::size_t>& around);
 
-  /// `largestOrder`: the known order or more gives the full kernel; any smaller value gives the
-  /// kernel of one order less.
+  /// Returns the full kernel if `largestOrder` is at least the known order. For any smaller value,
+  /// returns the kernel of one order less.
   ContactKernel at(double radius, int largestOrder = ContactKernel::LargestOrder) const override;
   const SurfaceGap* surface() const override
   {
@@ -94,12 +95,13 @@ public:
   }
 
 private:
-  /// Weights that combine the values at the landmarks to a value at the place.
+  /// Weights that combine the values at the landmarks to a value at the position.
   struct Weights
   {
-    Eigen::VectorXd near;       ///< weights by distance alone, with sum 1
-    Eigen::Matrix3Xd plane;     ///< value at the place and slopes, per value at a landmark
-    Eigen::Matrix2Xd positions; ///< positions of the landmarks, relative to the place, mm
+    Eigen::VectorXd near;   ///< weights that depend only on the distance, with sum 1
+    Eigen::Matrix3Xd plane; ///< value and slopes at the position, per value at a landmark
+    /// Positions of the landmarks relative to the position of the kernels, mm.
+    Eigen::Matrix2Xd positions;
   };
   struct Blend
   {
@@ -114,8 +116,8 @@ private:
   void blendKernels(const LandmarkKernels& landmarks, const Weights& w,
     const std::vector<std::size_t>& around, const Eigen::Vector3d& normal);
 
-  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels
-  std::vector<Blend> Blends;                  ///< one per radius
+  const std::vector<double>* Radii = nullptr; ///< contact radii of the kernels, mm
+  std::vector<Blend> Blends;                  ///< blended kernels, one per radius of Radii
   SurfaceGap Gap;
   Eigen::Matrix<double, 3, 2> Tangents;
 };

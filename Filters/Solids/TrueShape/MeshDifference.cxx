@@ -12,26 +12,29 @@ namespace palpate
 {
 namespace
 {
-/// Number of landmarks that are blended to a kernel at a place.
+/// Number of landmarks that are blended to a kernel at a position.
 constexpr std::size_t BlendedLandmarks = 6;
-constexpr double FacingCosine = 0.5; ///< facing the same way: within 60°
+constexpr double FacingCosine = 0.5; ///< cosine of 60°, for normals that count as similar
 
-/// Radius around a place for landmarks of the coarser mesh, in spacings of its nodes.
+/// Radius around a position within which landmarks of the coarser mesh are used, in spacings of its
+/// nodes.
 constexpr double ReachOfMean = 2.0;
-/// Smallest number of landmarks; if fewer are within the radius, a larger radius is used.
+/// Smallest number of landmarks. If fewer are within the radius, a larger radius is used.
 constexpr std::size_t LeastOfMean = 6;
-/// Factor on the squared distance of the last of these landmarks, so that its weight is not zero.
+/// Factor on the squared distance of the last of these landmarks. It keeps the weight of this
+/// landmark above zero.
 constexpr double LastDistanceFactor = 2.0;
-/// Smallest ratio k of the spacings. A smaller one makes the difference of the meshes unreliable.
+/// Smallest ratio k of the spacings. With a smaller ratio, the difference of the meshes is
+/// unreliable.
 constexpr double LeastRatio = 1.25;
 constexpr double LeastPart = 5e-4; ///< smallest error, as a fraction of c₀₀
 
-/// A landmark that faces the same way: its squared distance and its index.
+/// A landmark with a similar normal: its squared distance and its index.
 using Facing = std::pair<double, std::size_t>;
 
-/// Indices of the places of a surface (`total` of them) that face the same way as the normal. The
-/// `nearest` of them come first, in order. `placeAt` and `normalAt` return the place and the
-/// normal.
+/// Returns the indices of those of `total` surface points whose normals are similar to `normal`,
+/// with their squared distances from `place`. The `nearest` nearest of them come first, sorted by
+/// distance. `placeAt` and `normalAt` return the position and the normal of a point.
 template <class PlaceAt, class NormalAt>
 std::vector<Facing> facingAround(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
   std::size_t total, std::size_t nearest, const PlaceAt& placeAt, const NormalAt& normalAt)
@@ -49,7 +52,7 @@ std::vector<Facing> facingAround(const Eigen::Vector3d& place, const Eigen::Vect
   return facing;
 }
 
-/// Landmarks near a place of the surface, nearest first.
+/// Returns the landmarks near a position on the surface, nearest first.
 std::vector<std::size_t> landmarksAround(
   const LandmarkKernels& landmarks, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
 {
@@ -101,8 +104,8 @@ MeshDifference::MeshDifference(const LandmarkKernels& body, const LandmarkKernel
     [](const Sample& sample) { return !sample.missed.empty(); });
 }
 
-/// Makes the sample at a landmark of the coarser mesh. It is empty unless both meshes have a kernel
-/// there.
+/// Returns the sample at landmark i of the coarser mesh. The sample is empty unless both meshes
+/// have a kernel at the landmark.
 MeshDifference::Sample MeshDifference::sample(
   const LandmarkKernels& body, const LandmarkKernels& coarser, std::size_t i) const
 {

@@ -12,10 +12,11 @@ namespace
 {
 constexpr double LeastMotion = 0.005;
 
-using Loads = Eigen::Matrix<double, 6, 6>; ///< rows: forces and moments, or motions; columns: loads
+/// Rows: forces and moments, or motions. Columns: loads.
+using Loads = Eigen::Matrix<double, 6, 6>;
 
-/// Translation and rotation of a place under loads: the rigid motion that best fits the motions of
-/// its pieces.
+/// Returns the translation and rotation of a place under loads. It is the rigid motion that best
+/// fits the motions of the pieces of the place.
 Loads motionOfPlace(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const Eigen::MatrixXd& motion, const Eigen::Vector3d& about)
 {
@@ -38,7 +39,7 @@ Loads motionOfPlace(const ElasticBody& part, const std::vector<SurfacePiece>& pl
   return normal.ldlt().solve(moved);
 }
 
-/// Twice the energy that the part itself stores under the motions.
+/// Returns twice the energy that the part itself stores under the motions.
 Loads storedInPart(const ElasticBody& part, const Eigen::MatrixXd& motion)
 {
   Loads stored = Loads::Zero();

@@ -15,29 +15,29 @@ struct SurfacePiece
 {
   std::array<std::int32_t, 6> nodes;
   std::array<double, 6> shape;
-  Eigen::Vector3d place; ///< undeformed, mm
-  double weight;         ///< mm²
+  Eigen::Vector3d place; ///< undeformed position, mm
+  double weight;         ///< area that the piece represents, mm²
 };
 
 /**
- * The body around a part that was cut out of it: the motion of the part under loads L on a place of
- * its surface, and the energy ½ Lᵀ W L that the surrounding body stores. By Betti's theorem W
- * follows from the motions: it is the compliance of the place minus the part that is due to the
- * energy stored in the part itself.
+ * The body around a part that was cut out of it. Under loads L on a place of the part's surface,
+ * the part has the motion `motion`, and the surrounding body stores the energy ½ Lᵀ W L. By Betti's
+ * theorem, W follows from the motions. It is the compliance of the place minus the compliance that
+ * is due to the energy stored in the part itself.
  */
 struct PartRest
 {
-  Eigen::MatrixXd motion; ///< displacements of all nodes (mm) × loads
-  Eigen::MatrixXd energy; ///< W
-  Eigen::MatrixXd turns;  ///< 3 × loads: rotation of the place, rad
+  Eigen::MatrixXd motion; ///< displacements of all nodes, mm; one column per load
+  Eigen::MatrixXd energy; ///< the matrix W of the stored energy
+  Eigen::MatrixXd turns;  ///< rotation of the place, rad; 3 × loads
 };
 
 /**
- * Computes the data of the surrounding body. `part`: the part, of one material, at small strain.
- * `moved`: its motions under forces and moments. `place`: the pieces of the place. A combination of
- * the six loads is used only if it moves the place by more than 1/200 of the indentation of a
- * half-space by a contact of `radius` (mm). On coarse cells the stored energy of the other
- * combinations is not reliable and may be negative.
+ * Computes the data of the surrounding body. `part` is the part at small strain; it has one
+ * material. `moved` contains the motions of the part under forces and moments. `place` contains the
+ * surface pieces of the place. A combination of the six loads is used only if it moves the place by
+ * more than 1/200 of the indentation of a half-space by a contact of `radius` (mm). On coarse
+ * cells, the stored energy of the other combinations is not reliable and may be negative.
  */
 PartRest restAround(const ElasticBody& part, const std::vector<SurfacePiece>& place,
   const UnitMotion& moved, double radius);

@@ -7,13 +7,13 @@ namespace palpate
 {
 namespace
 {
-/// Depths relative to the radius, which resolve the effect of strain on the straight line of the
-/// curve.
+/// Depths relative to the radius. They resolve the deviation of the curve from a straight line due
+/// to strain.
 constexpr std::array Depths = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.4 };
 
 /// Depths relative to the depth of full contact, and the error of the force at each depth due to
-/// the unsolved shape of the contact at smaller depths. Measured like GapErrorFactor
-/// (ContactHarmonics).
+/// the unsolved shape of the contact at smaller depths. The errors were measured in the same way as
+/// GapErrorFactor (ContactHarmonics).
 constexpr std::array<PunchDepth, 5> ClosedDepths = { { { 0.5, 0.2 }, { 0.75, 0.06 }, { 1.0, 0.03 },
   { 1.5, 0.01 }, { 5.0, 0.003 } } };
 

@@ -7,24 +7,27 @@
 namespace palpate
 {
 /// The depth at which a flat punch comes into full contact with a surface that bulges, is hollow or
-/// is inclined under it.
+/// is inclined under the punch.
 struct PunchClosing
 {
-  double depth = 0.0;    ///< depth of full contact, mm; 0: full contact from the first touch
-  double sink = 0.0;     ///< F divided by dF/dδ at that depth, mm
-  double carried = 0.0;  ///< fraction of that force at which the growing contact reaches the wall
+  double depth = 0.0; ///< depth of full contact, mm; 0 means full contact from the first touch
+  double sink = 0.0;  ///< F divided by dF/dδ at the depth of full contact, mm
+  /// Force at which the growing contact reaches the wall, as a fraction of the force at full
+  /// contact.
+  double carried = 0.0;
   bool isSolved = false; ///< whether the uneven contact is solved at each depth (UnevenContact)
 };
 
-/// A depth of a flat punch. Full contact is assumed.
+/// A depth of a flat punch, computed with the assumption of full contact.
 struct PunchDepth
 {
-  double depth = 0.0; ///< mm
-  /// Error of the force due to the unknown shape of the contact below this depth, as a fraction.
+  double depth = 0.0; ///< depth, mm
+  /// Relative error of the force due to the unknown shape of the contact at smaller depths.
   double open = 0.0;
 };
 
-/// The depths of a flat punch's curve, ascending. `radius`: that of the punch, mm.
+/// Returns the depths of a flat punch's curve in ascending order. `radius` is the radius of the
+/// punch, mm.
 std::vector<PunchDepth> punchDepths(double radius, const PunchClosing& closing);
 } // namespace palpate
 

@@ -16,17 +16,18 @@ namespace palpate
 {
 namespace
 {
-/// Right-hand sides per solution, which reads the factor once for all of them.
+/// Number of right-hand sides per solution. A solution reads the factor once for all of them.
 constexpr std::size_t GreenBlock = 32;
 
-/// Radius, in spacings, within which there are enough sources for the smallest fit.
+/// Radius, in spacings, within which there are enough sources for the fit of lowest order.
 constexpr double RingOfSources = 2.9;
 
-/// Smallest ratio of the spacing of sources to the largest contact radius. Without it a surface
-/// full of edges would have a source everywhere.
+/// Smallest ratio of the spacing of sources to the largest contact radius. Without this limit, a
+/// surface with many edges would have a source at every point.
 constexpr double ClosestSources = 2.0 / 3.0;
 
-/// Mean curvature at the middle of a disc, 1/mm, > 0 if convex, from the nearest points.
+/// Returns the mean curvature at the middle of a disc, 1/mm, from the nearest points. It is > 0 if
+/// the surface is convex.
 double meanCurvature(const ElasticBody& body, std::int32_t point)
 {
   const SurfaceDisc ring = surfaceDisc(body, point, 2.0 * body.surface().spacing(point));
@@ -36,7 +37,8 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
   {
     if (at.distance > 0.0)
     {
-      // The weight is roughly the angle that the point covers: its area divided by its distance.
+      // The weight is roughly the angle that the point covers, which is its area divided by its
+      // distance.
       const double weight = at.area / at.distance;
       sum += weight * 2.0 * at.drop / (at.distance * at.distance);
       weights += weight;
@@ -46,7 +48,8 @@ double meanCurvature(const ElasticBody& body, std::int32_t point)
 }
 } // namespace
 
-/// Index of a point in Points; the size of Points if it is not one of them.
+/// Returns the index of a point in Points. Returns the size of Points if the point is not in
+/// Points.
 std::size_t RegularGreen::placeOf(std::int32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
@@ -67,7 +70,7 @@ ExpectedError RegularGreen::elementError(std::int32_t point) const
   return place < this->Points.size() ? this->Errors.at(place) : ExpectedError{};
 }
 
-/// The row of a source; null if the point is not a source.
+/// Returns the row of a source. Returns null if the point is not a source.
 const RegularGreen::Row* RegularGreen::row(std::int32_t source) const
 {
   const auto at = std::lower_bound(this->Sources.begin(), this->Sources.end(), source);
@@ -131,7 +134,8 @@ double RegularGreen::asymmetry(std::int32_t x, std::int32_t source) const
   return there != nullptr && back != nullptr ? std::abs(*there - *back) : 0.0;
 }
 
-/// Radius around a point within which sources are needed: large enough for the smallest fit.
+/// Returns the radius around a point within which sources are needed. It is large enough for the
+/// fit of lowest order.
 double RegularGreen::discRadius(std::int32_t point) const
 {
   return std::max({ DiscRatio * this->Radius, RingOfSources * this->Body.surface().spacing(point),
@@ -141,7 +145,7 @@ double RegularGreen::discRadius(std::int32_t point) const
 double RegularGreen::memoryForecast(
   const std::vector<std::int32_t>& points, double radius, double spacing) const
 {
-  // The mean size of a sample of discs is used. A row reaches twice as far as a disc.
+  // The mean size is estimated from a sample of discs. A row extends twice as far as a disc.
   constexpr std::size_t samples = 64;
   double inDisc = 0.0;
   double apart = 0.0;
@@ -163,13 +167,13 @@ double RegularGreen::memoryForecast(
   const double rows =
     sources * kept * std::min(total, 4.0 * disc) * (sizeof(double) + sizeof(std::int32_t));
   const double discs = static_cast<double>(points.size()) * disc * sizeof(DiscPoint);
-  // The blocks hold the loads, the solution and the permuted copies of CHOLMOD.
+  // The blocks contain the loads, the solution and CHOLMOD's permuted copies.
   const double blocks = static_cast<double>(threadCount()) * GreenBlock *
     static_cast<double>(this->Body.unknowns()) * 4.0 * sizeof(double);
   return rows + discs + blocks;
 }
 
-/// Chooses as sources the points of all discs, or a thinned set of them.
+/// Chooses the sources. These are the points of all discs, or a thinned set of these points.
 void RegularGreen::chooseSources()
 {
   this->Sources.clear();
@@ -214,7 +218,7 @@ void RegularGreen::layOut()
     }
   }
   this->Rows.assign(this->Sources.size(), {});
-  // Discs overlap: each point is in a row only once, even if several discs contain it.
+  // Discs overlap. Each point is in a row only once, even if several discs contain it.
   std::vector<std::size_t> takenBy(static_cast<std::size_t>(this->Body.surface().pointTotal()), 0);
   for (std::size_t s = 0; s < this->Sources.size(); ++s)
   {
@@ -359,7 +363,8 @@ std::string RegularGreen::solve(const std::vector<std::int32_t>& points, double 
   const SubtractedLoad loads(this->Body);
   const std::size_t blocks = (this->Sources.size() + GreenBlock - 1) / GreenBlock;
   this->Bending.assign(blocks, {});
-  // The blocks, and therefore the results, do not depend on the number of threads.
+  // The blocks do not depend on the number of threads. Therefore the results do not depend on it
+  // either.
   if (!shareWork(
         blocks, [&](std::size_t block) { this->solveBlock(loads, block); }, observer))
   {

@@ -18,29 +18,29 @@ namespace palpate
 {
 namespace
 {
-/// Factors κ_m: r^{2m} is replaced by κ_m x^{2m}.
+/// Factors κ_m, with which r^{2m} is replaced by κ_m x^{2m}.
 const Eigen::Vector4d Reduced(1.0, 2.0, 8.0 / 3.0, 16.0 / 5.0);
 
-/// φ_m at x = t a, in powers of t.
+/// Returns φ_m at x = t a, as powers of t.
 Eigen::Vector4d reducedPowers(double t)
 {
   const double s = t * t;
   return Reduced.cwiseProduct(Eigen::Vector4d(1.0, s, s * s, s * s * s));
 }
 
-constexpr double RoundExponent = 1.5; ///< exponent m of F ∝ δ^m for a bulge
+constexpr double RoundExponent = 1.5; ///< exponent m of F ∝ δ^m for a bulging surface
 
-/// How a contact begins.
+/// Type of the first touch of a contact.
 enum class Touch
 {
   Pointed, ///< the tool has a tip
   Flat,    ///< the tool's end and the surface under it are flat
-  Bulging, ///< the surface bulges under a flat end: the contact grows from a point
-  Closing  ///< a flat punch on a hollow or leaning surface: its rim touches first
+  Bulging, ///< The surface bulges under a flat end. The contact grows from a point.
+  Closing  ///< A flat punch is on a hollow or inclined surface. Its rim touches first.
 };
 
-/// Smallest rise of the surface under a flat end, as a fraction of its radius, that counts as a
-/// bulge.
+/// Smallest rise of the surface under a flat end that counts as a bulge, as a fraction of the
+/// radius of the end.
 constexpr double LeastBulge = 1e-4;
 
 std::vector<double> contactRadii(double smallest, double largest, Touch touch, int count)
@@ -66,7 +66,7 @@ std::vector<double> contactRadii(double smallest, double largest, Touch touch, i
   return radii;
 }
 
-/// Returns the reason why a curve ends, if no earlier reason ended the curve.
+/// Returns the reason why a curve ends. It is used if no other reason ended the curve earlier.
 CurveEnd endOf(const KernelSite& site, bool reachesWall)
 {
   if (reachesWall)
@@ -79,17 +79,17 @@ CurveEnd endOf(const KernelSite& site, bool reachesWall)
                                        : CurveEnd::Patch;
 }
 
-/// Whether the tool is only a flat punch.
+/// Returns whether the tool is only a flat punch.
 bool isFlat(const AxisymmetricTool& tool)
 {
   return tool.largestContactRadius() <= tool.smallestContactRadius();
 }
 
-/// A flat end's first contact.
+/// The first contact of a flat end.
 struct FlatTouch
 {
   Touch touch = Touch::Pointed;
-  double closed = 0.0; ///< depth at and beyond which a flat punch is in full contact, mm
+  double closed = 0.0; ///< depth from which a flat punch is in full contact, mm
 };
 
 FlatTouch touchOf(
@@ -104,8 +104,7 @@ FlatTouch touchOf(
   const ContactKernel kernel = kernels.at(radius);
   const double rise = law.at(radius, kernel, kernels.site().reducedModulus).deflection;
   const double least = LeastBulge * smallest;
-  // At this depth and beyond, the pressure near the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere
-  // negative.
+  // From this depth on, the pressure near the rim, (δ - 2 s·r - g)/√(a² - r²), is nowhere negative.
   const double uneven = 2.0 * radius * kernel.gap.lean.norm() + std::sqrt(2.0 * kernel.gap.waves);
   FlatTouch found{ Touch::Flat, (rise < 0.0 ? -2.0 * rise : rise) + uneven };
   if (rise > std::max(least, isFlat(tool) ? uneven : 0.0))
@@ -119,7 +118,7 @@ FlatTouch touchOf(
   return found;
 }
 
-/// Removes samples whose deflection or force is not above that of the previous sample, or above
+/// Removes samples whose deflection or force is not above that of the previous sample, or not above
 /// zero. Returns true if the last sample is removed.
 bool keepRising(std::vector<ContactSample>& samples, bool beginsFlat)
 {
@@ -151,7 +150,7 @@ ShapedContact::ShapedContact(
 ShapedContact::Contact ShapedContact::at(double radius, const ContactKernel& kernel,
   double reducedModulus, std::optional<double> deflection) const
 {
-  // With t = x/a: moments of φ_m φ_n, of φ_m, and of φ_m g, each divided by a.
+  // With t = x/a, these are the moments of φ_m φ_n, of φ_m, and of φ_m g, each divided by a.
   Eigen::Matrix4d products;
   Eigen::Vector4d ones;
   for (int m = 0; m < 4; ++m)
@@ -190,8 +189,8 @@ struct ShapedContact::Course : CurveSamples
   Touch touch = Touch::Pointed;
 };
 
-/// Adds the contact of a given radius, or the contact at the tool's wall for a given deflection.
-/// Returns false if no contact can grow to it with this kernel.
+/// Adds the contact with a given radius, or the contact at the tool's wall for a given deflection.
+/// Returns false if, with this kernel, the contact cannot grow to this radius or deflection.
 bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
   const ContactKernels& kernels, int largestOrder, Course& course) const
 {
@@ -210,19 +209,19 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
     sample.deflection = contact.deflection;
     sample.force = contact.force;
     const bool isFirst = course.samples.empty();
-    // The uneven part of the shape is not included yet.
+    // The deflection does not yet include the uneven part of the shape.
     const double least = deflection ? -Infinity : 0.0;
     const double depthBefore = isFirst ? least : course.samples.back().deflection;
     const double forceBefore = isFirst ? 0.0 : course.samples.back().force;
     if (!(sample.deflection > depthBefore && sample.force > forceBefore))
     {
-      // The cause is the surface, not the kernel: the contact can grow further.
+      // The cause is the surface and not the kernel. Therefore the contact can grow further.
       return !kernel.gap.drop.isZero();
     }
     if (kernel.order > 1)
     {
       ContactKernel coarser = kernels.at(radius, kernel.order - 1);
-      coarser.gap = kernel.gap; // the shape is not part of the expansion
+      coarser.gap = kernel.gap; // the order of the kernel does not affect the shape of the surface
       const Contact lower = this->at(radius, coarser, modulus, deflection);
       sample.truncation =
         (lower.force + lower.stiffness * (contact.deflection - lower.deflection)) / contact.force -
@@ -241,7 +240,8 @@ bool ShapedContact::takeSample(double radius, std::optional<double> deflection,
   return true;
 }
 
-/// Applies finite strain to the samples, or adds its error.
+/// Applies the correction for finite strain to the samples. Without a correction, adds the error
+/// due to finite strain.
 void ShapedContact::addStrain(const ContactKernels& kernels, Course& course) const
 {
   for (std::size_t i = 0; i < course.samples.size(); ++i)

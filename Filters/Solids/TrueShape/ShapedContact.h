@@ -9,15 +9,15 @@
  * half-space with a kernel of rank N:
  *   y(x) + 2E* Σ c_mn φ_m(x) Y_n = δ - g(x),
  *   Y_n = ∫_0^a φ_n y dx,  F = 2E* Y₀,  y(a) = 0 where smooth.
- * g is the reduced profile of the tool plus the angle mean of the surface's drop.
+ * g is the reduced profile of the tool plus the mean over angles of the surface's drop.
  *
- * The remaining effects of the shape are added afterwards. The surface has a slope s and waves
- * (SurfaceGap), and next to an edge the force tilts it by βF. To second order U*(F) decreases by
+ * The remaining effects of the shape are added afterwards. The surface has a slope s and waves g_m
+ * (SurfaceGap), and next to an edge the force tilts the surface by βF. To second order, the
+ * complementary energy U*(F) decreases by
  *   ½ E* ∫_0^a (|2x(s + βF)|² + Σ g_m²) dx
  * and δ decreases by
  *   ½ E* (4a² |s + βF|² + Σ g_m²) da/dF + β·(s + βF) T, T = (4/3) E* a³.
- * If the second order is not enough, the effect of the shape is computed by solving the uneven
- * contact (UnevenContact).
+ * If the second order is not sufficient, the uneven contact is solved instead (UnevenContact).
  *
  * The equations are those of linear elasticity at small strain. Finite strain multiplies the local
  * part of a contact, as on a half-space under the same force (StrainCorrection). The remaining
@@ -38,30 +38,32 @@ namespace palpate
 {
 class StrainCorrection;
 
-/// One tool, for any number of bodies and points.
+/// Contacts of one tool, on any number of bodies and points.
 class PALPATE_EXPORT ShapedContact
 {
 public:
-  /// `tool` and `strain` must outlive this object. `strain`: the correction for half-spaces; null
-  /// for small strain. `samples`: number of contact radii of a curve.
+  /// `tool` and `strain` must outlive this object. `strain` is the correction for half-spaces, or
+  /// null for small strain. `samples` is the number of contact radii of a curve.
   explicit ShapedContact(
     const AxisymmetricTool& tool, const StrainCorrection* strain = nullptr, int samples = 24);
 
-  /// The curve at a point. The curve is empty if the site is not valid, or if the flat end of the
-  /// tool is wider than the largest radius of the kernels; end() then gives the reason. Safe from
-  /// any number of threads.
+  /// Returns the curve at a point. The curve is empty if the site is not valid, or if the flat end
+  /// of the tool is wider than the largest radius of the kernels. end() of the curve then gives the
+  /// reason. Thread-safe.
   ContactCurve curve(
     const ContactKernels& kernels, int largestOrder = ContactKernel::LargestOrder) const;
 
-  /// One contact: the result for a kernel and a radius, without the tilt.
+  /// One contact: the result for one kernel and one radius, without the effect of the tilt.
   struct Contact
   {
-    double deflection = 0.0; ///< mm
-    double force = 0.0;      ///< N
-    double stiffness = 0.0; ///< 2E* Y₀ of a flat end at depth 1: dF/dδ for a constant kernel, N/mm
-    bool stable = false;    ///< whether δ rises with the radius for this kernel
+    double deflection = 0.0; ///< deflection δ, mm
+    double force = 0.0;      ///< force F, N
+    /// 2E* Y₀ of a flat end at depth 1, which is dF/dδ for a constant kernel, N/mm
+    double stiffness = 0.0;
+    bool stable = false; ///< whether δ increases with the radius for this kernel
   };
-  /// `deflection`: given for a flat end or for a contact at the tool's wall.
+  /// Computes one contact. `deflection` is given for a flat end, or for a contact at the tool's
+  /// wall.
   Contact at(double radius, const ContactKernel& kernel, double reducedModulus,
     std::optional<double> deflection = {}) const;
 

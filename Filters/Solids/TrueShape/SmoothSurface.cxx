@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// A node counts as on its chord if its distance from the chord is less than this fraction of the
-/// lift.
+/// A node counts as being on its chord if its distance from the chord is less than this fraction of
+/// the lift.
 constexpr double ChordTolerance = 0.25;
 } // namespace
 
@@ -32,7 +32,7 @@ Eigen::Vector3d smoothPosition(const ElasticBody& body, std::int32_t point)
   const std::int32_t b = surface.pointOfNode(cell.nodes[static_cast<std::size_t>(ends[1])]);
   if (surface.normal(a).dot(surface.normal(b)) < PatchTurn)
   {
-    return at; // across an edge
+    return at; // the edge between the two corners is sharp
   }
   const Eigen::Vector3d edge = surface.position(b) - surface.position(a);
   const Eigen::Vector3d lift = 0.125 *

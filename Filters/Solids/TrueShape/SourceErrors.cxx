@@ -16,12 +16,12 @@ constexpr std::size_t ErrorSources = 3;
 
 struct NearSource
 {
-  std::size_t place; ///< index in the points
+  std::size_t place; ///< index of the source in the points
   double weight;
 };
 
-/// Sources that determine the expected error at the middle of a disc: the middle itself if it is a
-/// source, otherwise the nearest sources.
+/// Returns the sources that determine the expected error at the middle of a disc. This is the
+/// middle itself if it is a source, otherwise the nearest sources.
 std::vector<NearSource> nearestSources(const SurfaceDisc& disc,
   const std::vector<std::int32_t>& points, const std::vector<std::int32_t>& sources)
 {

@@ -15,22 +15,23 @@ namespace palpate
 struct ExpectedError
 {
   double error = NotANumber;
-  double direct = NotANumber;             ///< the part of H that exceeds this value is bending
-  double bending = BendingError::Assumed; ///< missed fraction of the bending
+  double direct = NotANumber; ///< the part of H above this value is due to bending
+  /// Fraction of the bending that the elements do not represent.
+  double bending = BendingError::Assumed;
 };
 
-/// Expected errors of the points of a RegularGreen. A source has its own error; the error of
-/// another point is that of the nearest sources of its disc.
+/// Expected errors at the points of a RegularGreen. A source has its own error. The error at
+/// another point is that of the nearest sources in the disc of the point.
 class SourceErrors
 {
 public:
   SourceErrors() = default;
-  /// `points` and `sources` ascending; `discs`: one per point. Cost: one ElementError per source,
-  /// on threadCount() threads.
+  /// `points` and `sources` are in ascending order. `discs` has one disc per point. Cost: one
+  /// ElementError per source, on threadCount() threads.
   SourceErrors(const ElasticBody& body, const std::vector<std::int32_t>& points,
     const std::vector<SurfaceDisc>& discs, const std::vector<std::int32_t>& sources);
 
-  /// Error of the point with this index in `points`.
+  /// Returns the error of the point with the index `place` in `points`.
   const ExpectedError& at(std::size_t place) const { return this->Errors[place]; }
 
   void setBending(const BendingError& bending, const BodySurface& surface,

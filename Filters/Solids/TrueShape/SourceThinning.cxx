@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double SameSide = 0.5; // cos 60°
+constexpr double SameSide = 0.5; // cos 60°, for the largest angle between normals on the same side
 } // namespace
 
 std::vector<std::int32_t> thinnedSources(const BodySurface& surface,

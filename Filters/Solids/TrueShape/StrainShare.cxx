@@ -13,11 +13,11 @@ namespace palpate
 {
 namespace
 {
-/// Error as a fraction of the effect of finite strain, for the part of the contact that differs
-/// from a half-space under the same force.
+/// Error of the correction, as a fraction of the effect of finite strain. The error arises because
+/// the contact differs from the contact on a half-space under the same force.
 constexpr double StrainErrorFactor = 0.3;
 
-/// Depth of the tool in a half-space under `force`, mm.
+/// Returns the depth of the tool in a half-space under `force`, mm.
 double depthUnder(const AxisymmetricTool& tool, double force, double radius, double modulus)
 {
   double depth = radius < tool.largestContactRadius() && radius > tool.smallestContactRadius()

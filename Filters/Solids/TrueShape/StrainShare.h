@@ -15,21 +15,22 @@ struct SmallStrainContact
 {
   double force = 0.0;     ///< N
   double stiffness = 0.0; ///< N/mm
-  double radius = 0.0;    ///< mm
+  double radius = 0.0;    ///< contact radius, mm
 };
 
 /// Correction of a SmallStrainContact for finite strain, and the error of the corrected force.
 struct StrainShare
 {
-  double force = 0.0;      ///< N
+  double force = 0.0;      ///< change of the force, N
   double deflection = 0.0; ///< change of δ at the corrected force, mm
   double error = 0.0;      ///< relative error of the force
 };
 
 /**
- * Finite strain multiplies the local part of a contact, as on a half-space under the same force.
- * The remaining deflection of the body grows with the force. Without `strain` (null) there is no
- * correction, and the error is the neglected effect of finite strain. Cost: microseconds.
+ * Computes the correction of a contact for finite strain. Finite strain multiplies the local part
+ * of the contact, as on a half-space under the same force. The remaining deflection of the body
+ * grows with the force. If `strain` is null, there is no correction, and the error is the neglected
+ * effect of finite strain. Cost: microseconds.
  */
 PALPATE_EXPORT StrainShare strainShare(const AxisymmetricTool& tool, const StrainCorrection* strain,
   const ElasticMaterial& material, const SmallStrainContact& contact);

@@ -17,7 +17,7 @@ SingularSource::SingularSource(const ElasticBody& body, std::int32_t surfacePoin
 {
 }
 
-/// Forces on all nodes, and the nodes themselves, in the frame of one source.
+/// Forces on all nodes, and the positions of the nodes, in the frame of one source.
 struct SubtractedLoad::Work
 {
   explicit Work(const ElasticBody& body, const SingularSource& from)
@@ -37,7 +37,7 @@ struct SubtractedLoad::Work
   }
 
   bool isUnder(std::int32_t node) const { return this->under[static_cast<std::size_t>(node)] != 0; }
-  /// Number of the element's nodes at which the singular field is used.
+  /// Returns the number of the element's nodes at which the singular field is used.
   int nodesUnder(const VolumeElement& element) const
   {
     int count = 0;
@@ -65,9 +65,11 @@ struct SubtractedLoad::Work
   BoussinesqField field;
   Eigen::Matrix3Xd nodes;
   Eigen::Matrix3Xd forces;
-  std::int32_t own;                 ///< node at X
-  std::vector<unsigned char> under; ///< 1 for a node where the singular field is used
-  bool overhangs = false;           ///< the singular field is not used at some nodes
+  std::int32_t own; ///< surface node at X
+  /// For each node: 1 if the singular field is used at the node, else 0.
+  std::vector<unsigned char> under;
+  /// Whether there are nodes at which the singular field is not used.
+  bool overhangs = false;
   std::vector<FacePoint> points;
 };
 
@@ -94,7 +96,7 @@ SubtractedLoad::SubtractedLoad(const ElasticBody& body)
   this->couple();
 }
 
-/// The stiffness between unknowns and held directions.
+/// Computes the stiffness between unknowns and held directions.
 void SubtractedLoad::couple()
 {
   const VolumeMesh& mesh = this->Body.mesh();
@@ -212,8 +214,8 @@ void SubtractedLoad::addInclusions(Work& work) const
   }
 }
 
-/// Adds the elements that cross the cone, and the faces of the elements outside the cone that
-/// adjoin them.
+/// Adds the loads of the elements that cross the cone, and of the faces outside the cone that
+/// adjoin these elements.
 void SubtractedLoad::addOverhang(Work& work) const
 {
   ElementMatrix k;

@@ -12,18 +12,18 @@ namespace palpate
 /// A force of 1 N at a surface point X, and the half-space on which it is assumed to act.
 struct SingularSource
 {
-  std::int32_t point = 0;   ///< surface point
+  std::int32_t point = 0;   ///< index of the surface point X
   Eigen::Matrix3d frame;    ///< columns: two tangents and the inward normal at X
-  Eigen::Vector3d origin;   ///< X, mm
-  ElasticMaterial material; ///< material at X
+  Eigen::Vector3d origin;   ///< position of X, mm
+  ElasticMaterial material; ///< material at X, which is that of the half-space
 
   SingularSource(const ElasticBody& body, std::int32_t surfacePoint);
   Eigen::Vector3d inFrame(const Eigen::Vector3d& place) const
   {
     return this->frame.transpose() * (place - this->origin);
   }
-  /// Whether the singular field is used at a place in the frame: outside a cone of 41° around its
-  /// singular line.
+  /// Returns whether the singular field is used at a position in the frame. It is used outside a
+  /// cone of 41° around the singular line of the field.
   static bool isUnder(const Eigen::Vector3d& at) { return at[2] > -LargestOverhang * at.norm(); }
 
   static constexpr double LargestOverhang = 0.75;
@@ -37,15 +37,16 @@ struct SingularSource
  * The remaining field w is smooth and solves K w = b with
  *   b(v) = -∮ v·(σ_B n) dA - ∫ ε(v) : (D - D₀) : ε_B dV,
  *   w = -u_B where the body is held.
- * The first integral is over the outer faces (zero on the plane through X), the second over the
- * elements of another material. The incompatible modes of hexahedra contribute to the second
- * integral and are condensed as in the stiffness; they have no part in the first.
+ * The first integral is over the outer faces (it is zero on the plane through X). The second
+ * integral is over the elements of another material. The incompatible modes of hexahedra contribute
+ * to the second integral and are condensed as in the stiffness. They do not contribute to the first
+ * integral.
  *
  * u_B has a singular line above X. If the body overhangs X (a mouth, an ear), u_B is used only
- * outside a cone around that line. In the elements that cross the cone it is interpolated between
- * the nodes, with zero inside the cone.
+ * outside a cone around the singular line. In the elements that cross the cone, u_B is interpolated
+ * between the nodes, with zero inside the cone.
  *
- * One object is used for one body; load() may be called from any number of threads.
+ * One object is used for one body. load() is thread-safe.
  */
 class SubtractedLoad
 {
@@ -53,7 +54,7 @@ public:
   /// The body must be assembled and must outlive this object.
   explicit SubtractedLoad(const ElasticBody& body);
 
-  /// b at the unknowns, including the effect of the held displacements.
+  /// Returns b at the unknowns, including the effect of the held displacements.
   Eigen::VectorXd load(const SingularSource& source) const;
 
 private:
@@ -67,12 +68,13 @@ private:
 
   const ElasticBody& Body;
   bool Uniform;                                   ///< whether the body has one material
-  std::vector<std::int32_t> LoadedFaces;          ///< outer faces that are not held as a whole
+  std::vector<std::int32_t> LoadedFaces;          ///< outer faces that are not entirely held
   std::vector<std::pair<std::int32_t, int>> Held; ///< node and axis of each column of Coupling
-  Eigen::SparseMatrix<double> Coupling;           ///< unknowns × held directions
+  /// Stiffness between unknowns and held directions.
+  Eigen::SparseMatrix<double> Coupling;
 };
 
-/// w at every node, mm. `smooth`: w at the unknowns.
+/// Returns w at every node, mm. `smooth` contains w at the unknowns.
 Eigen::Matrix3Xd regularDisplacement(
   const ElasticBody& body, const SingularSource& source, const Eigen::VectorXd& smooth);
 } // namespace palpate

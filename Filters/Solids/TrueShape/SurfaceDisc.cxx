@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-/// Whether a point may not move along its normal.
+/// Returns whether a point cannot move along its normal.
 bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
 {
   const Eigen::Vector3d& normal = body.surface().normal(point);
@@ -27,10 +27,10 @@ bool isHeldAlongNormal(const ElasticBody& body, std::int32_t point)
   return held;
 }
 
-constexpr double AlikeModulus = 0.05; ///< relative
+constexpr double AlikeModulus = 0.05; ///< largest relative difference of E
 constexpr double AlikeRatio = 0.01;
 
-/// Whether all elements at a point have nearly the given material.
+/// Returns whether all elements at a point have nearly the given material.
 bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial& material)
 {
   const MeshTopology& topology = body.topology();
@@ -39,7 +39,7 @@ bool isWithin(const ElasticBody& body, std::int32_t point, const ElasticMaterial
     [&](std::int32_t element) { return isNearlyAlike(body.material(element), material); });
 }
 
-/// A walk over the surface around a point.
+/// Visits the surface around a point.
 class DiscWalk
 {
 public:
@@ -76,7 +76,8 @@ public:
         {
           continue;
         }
-        // The held triangle begins at its edge, which may be nearer than its corners.
+        // A held triangle begins at its edge, which may be nearer to the point than the triangle's
+        // corners.
         if (this->isHeld(*t))
         {
           limit(disc, away, PatchStatus::OutOfReach);
@@ -143,7 +144,8 @@ private:
     if (away > this->Radius ||
       this->Surface.normal(point).dot(this->Surface.normal(this->Centre)) < ContactTurn)
     {
-      return; // the point is beyond the radius, or on an edge, whose other side limits the disc
+      // The point is beyond the radius, or on an edge. The other side of the edge limits the disc.
+      return;
     }
     if (isHeldAlongNormal(this->Body, point))
     {
@@ -169,7 +171,7 @@ private:
   std::int32_t Centre;
   double Radius;
   Eigen::Matrix3d Frame;
-  Eigen::Vector3d Origin; ///< place of the point on the smooth surface
+  Eigen::Vector3d Origin; ///< position of the point on the smooth surface
   ElasticMaterial Material;
 };
 } // namespace

@@ -11,50 +11,53 @@
 
 namespace palpate
 {
-/// cos 40°: largest turn of the surface under a contact, less than the turn of the normals at the
-/// edge of a block. At the middle of the contact the limit is smaller (PatchTurn), because a
-/// contact on an edge has no normal.
+/// cos 40°, for the largest variation of the surface normal under a contact. This angle is smaller
+/// than the variation at the edge of a block. At the middle of the contact the limit is smaller
+/// (PatchTurn), because a contact on an edge has no normal.
 constexpr double ContactTurn = 0.76604444311897803520;
 
-/// A surface point near the middle point of a disc, in the tangent plane at the middle point.
+/// A surface point near the middle point of a disc, in the coordinates of the tangent plane at the
+/// middle point.
 struct DiscPoint
 {
   std::int32_t point = 0;
-  Eigen::Vector2d at;    ///< mm
-  double drop = 0.0;     ///< distance below the tangent plane, mm (SmoothSurface)
-  double area = 0.0;     ///< a third of the area of its triangles, mm²
-  double distance = 0.0; ///< |at|
+  Eigen::Vector2d at;    ///< position in the tangent plane, mm
+  double drop = 0.0;     ///< distance of the point below the tangent plane, mm (SmoothSurface)
+  double area = 0.0;     ///< a third of the area of the triangles around the point, mm²
+  double distance = 0.0; ///< distance from the middle point, |at|, mm
 };
 
 /**
- * The surface points around a point X, up to a radius, that can be under one contact with X. They
- * satisfy three conditions: they are connected to X by triangles whose normals are within 40° of
- * the normal at X (30° at X itself); they are free to move along their normals; and their material
- * is that of X, with E within 5 % and ν within 0.01 of the mean of the elements at X.
+ * The surface points around a point X, up to a radius, that can be under one contact with X. These
+ * points satisfy three conditions: they are connected to X by triangles whose normals are within
+ * 40° of the normal at X (30° at X itself); they are free to move along their normals; and their
+ * material is nearly that of X: E differs by at most 5 % and ν by at most 0.01 from the mean of the
+ * elements at X.
  *
- * `status`: the reason why X itself cannot be pressed, or Valid. `limit`: distance from X to the
- * first edge, held point or other material. `limitedBy`: the kind of that limit.
+ * `status` is the reason why X itself cannot be pressed, or Valid. `limit` is the distance from X
+ * to the first edge, held point or other material. `limitedBy` is the kind of the limit.
  */
 struct SurfaceDisc
 {
   PatchStatus status = PatchStatus::Valid;
-  std::vector<DiscPoint> points; ///< X first, then by distance
-  double limit = Infinity;       ///< mm
+  std::vector<DiscPoint> points; ///< X first, the other points sorted by distance
+  double limit = Infinity;       ///< distance to the limit, mm
   PatchStatus limitedBy = PatchStatus::Valid;
 };
 
-/// Finds the disc of a point. `body` must be assembled; `point` is a point of its surface.
+/// Returns the disc of a point. `body` must be assembled. `point` is a point of its surface.
 PALPATE_EXPORT SurfaceDisc surfaceDisc(const ElasticBody& body, std::int32_t point, double radius);
 
-/// Whether the border between two elements is neglected: E differs by at most 5 % of the second
-/// material's E, and ν by at most 0.01. Graded bodies and bodies from images therefore have no
-/// borders.
+/// Returns whether the border between elements of two materials is neglected. It is if E differs by
+/// at most 5 % of the E of `material`, and ν by at most 0.01. Therefore graded bodies and bodies
+/// from images have no borders.
 bool isNearlyAlike(const ElasticMaterial& other, const ElasticMaterial& material);
 
-/// Whether the elements at a surface point are of one material, within the tolerances of a disc.
+/// Returns whether the elements at a surface point are of one material, within the tolerances of
+/// isNearlyAlike().
 PALPATE_EXPORT bool isOfOneMaterial(const ElasticBody& body, std::int32_t point);
 
-/// Reason why a point cannot be pressed; "" if it can.
+/// Returns the reason why a point cannot be pressed; "" if it can be pressed.
 PALPATE_EXPORT std::string whyNotPressed(const ElasticBody& body, std::int32_t point);
 } // namespace palpate
 

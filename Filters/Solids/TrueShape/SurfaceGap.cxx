@@ -15,16 +15,16 @@ namespace palpate
 namespace
 {
 constexpr double RingRatio = 0.82;
-/// Number of rings outside the largest contact. The innermost ring has a twentieth of the radius of
-/// that contact.
+/// Number of rings outside the largest contact. The radius of the innermost ring is a twentieth of
+/// the radius of the largest contact.
 constexpr int RingsBeyond = 3;
 
-/// Smallest number of rings for the gap of a contact. For a smaller contact the gap of these rings
-/// is used.
+/// Smallest number of rings for the gap of a contact. For a contact that covers fewer rings, the
+/// gap of this number of rings is used.
 constexpr int LeastRings = 5;
 
-/// n times ∫_0^1 t^n / √(1 - t²) dt =: n I_n. For a power r^k in a harmonic of order m, n = m + 1 +
-/// k and g = n I_n a^k.
+/// Returns n I_n, where I_n = ∫_0^1 t^n / √(1 - t²) dt. For a power r^k in a harmonic of order m, n
+/// = m + 1 + k and g = n I_n a^k.
 double powerUnderContact(int n)
 {
   double integral = n % 2 == 0 ? 0.5 * Pi : 1.0;
@@ -173,7 +173,7 @@ GapTerms SurfaceGap::at(double a) const
   {
     return terms;
   }
-  // Each ring represents an annulus and is weighted by the fraction of the force on it.
+  // Each ring represents an annulus. Its weight is the fraction of the force on the annulus.
   const double least = this->Radius * ring(LeastRings - 1);
   const double disc = std::clamp(a, least, this->reach());
   Eigen::VectorXd weights(this->Known);
@@ -193,7 +193,7 @@ GapTerms SurfaceGap::at(double a) const
   weights /= sum;
   const auto fitted = [&](int first, int parts, double meanSquare, const auto& valueAt)
   {
-    // Weighted least-squares fit of Σ c_j (r/disc)^(first + 2j).
+    // This is a weighted least-squares fit of Σ c_j (r/disc)^(first + 2j).
     Eigen::MatrixXd system(count, parts);
     Eigen::MatrixXd values(count, valueAt(0).size());
     for (int k = 0; k < count; ++k)

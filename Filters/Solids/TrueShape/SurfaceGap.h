@@ -14,32 +14,37 @@ namespace palpate
 /// at the point.
 struct GapTerms
 {
-  /// Angle mean of the distance below the plane, Σ d_m (r/a)^{2m}, mm.
+  /// Mean over angles of the distance below the plane, Σ d_m (r/a)^{2m}, mm.
   Eigen::Vector4d drop = Eigen::Vector4d::Zero();
-  /// Effective slope of the surface under the contact: the slope of a plane with the same moment.
+  /// Effective slope of the surface under the contact. It is the slope of a plane with the same
+  /// moment.
   Eigen::Vector2d lean = Eigen::Vector2d::Zero();
-  /// Σ g_m(a)² of the harmonics from the second up, mm² (SurfaceGap).
+  /// Σ g_m(a)² of the harmonics of order 2 and above, mm² (SurfaceGap).
   double waves = 0.0;
   /// Mean square of the residual of these terms under the contact, mm².
   double left = 0.0;
-  /// Root mean square distance under the contact between the facets and the surface, which is
-  /// assumed to be smooth between its points, mm.
+  /// Root mean square distance, under the contact, between the facets and the surface, mm. The
+  /// surface is assumed to be smooth between its points.
   double facets = 0.0;
-  /// Root mean square under the contact of the deviation of the triangles' edges from arcs: (n₁ +
-  /// n₂)·e of an edge e between two normals, which is κ'l³/6 if the curvature changes by κ' per mm.
-  /// A large value shows that the surface has detail between its points.
+  /// Root mean square, under the contact, of the deviation of the triangles' edges from arcs. The
+  /// deviation is (n₁ + n₂)·e for an edge e between two normals, which is κ'l³/6 if the curvature
+  /// changes by κ' per mm. A large value shows that the surface has unresolved detail between its
+  /// points.
   double uneven = 0.0;
 };
 
 /**
- * Shape of any surface around a point: its heights on rings, as harmonics of the angle.
+ * Shape of any surface around a point. It is stored as the heights on rings, as harmonics of the
+ * angle.
  *
- * To first order a contact of radius a depends on the mean of the gap weighted by 1/√(a² - r²), to
- * second order on its harmonics. A gap h_m(r) cos mθ that is closed over the contact has the energy
+ * To first order, a contact of radius a depends on the mean of the gap weighted by 1/√(a² - r²). To
+ * second order, it depends on the harmonics of the gap. A gap h_m(r) cos mθ that is closed over the
+ * contact has the energy
  *   ½ E* ∫_0^a g_m(x)² dx, g_m(x) = x^{-m} d/dx ∫_0^x r^{m+1} h_m / √(x² - r²) dr (Copson 1947).
- * Since the pressure falls smoothly to zero, there is no other term of second order: the force at a
- * depth grows by ½ E* Σ g_m(a)² da/dδ. This is exact for an inclined plane (h = s r, g = 2 s x) and
- * for unequal curvatures (Hertz 1882: the force of the mean curvature times 1 + Δ²R²/12).
+ * Because the pressure falls smoothly to zero, there is no other term of second order, and the
+ * force at a depth increases by ½ E* Σ g_m(a)² da/dδ. This is exact for an inclined plane (h = s r,
+ * g = 2 s x) and for unequal curvatures (Hertz 1882: the force of the mean curvature times 1 +
+ * Δ²R²/12).
  */
 class PALPATE_EXPORT SurfaceGap
 {
@@ -47,18 +52,21 @@ public:
   static constexpr int Rings = 19;
   static constexpr int Angles = 16;
 
-  /// Radius to which the surface must be known for contacts up to a radius: three rings more,
-  /// because on an uneven surface a contact extends beyond the contact on the mean surface.
+  /// Returns the radius up to which the surface must be known for contacts up to `radius`. It
+  /// includes three more rings, because on an uneven surface a contact extends beyond the contact
+  /// on the mean surface.
   static double reachFor(double radius);
 
-  /// Axes of the tangent plane and inward normal: the frame of heights and slopes.
+  /// Returns the axes of the tangent plane and the inward normal, which are the frame of heights
+  /// and slopes.
   static Eigen::Matrix3d frame(const Eigen::Vector3d& outwardNormal);
 
-  /// Radius of ring k over the radius of the last ring.
+  /// Returns the radius of ring k divided by the radius of the last ring.
   static double ring(int k);
 
-  /// Heights below the tangent plane, mm, at angles 2π j/Angles of each ring, for the surface and
-  /// for its facets, and the unevenness of the edges there. Rings beyond `known` are not used.
+  /// Heights below the tangent plane, mm, at the angles 2π j/Angles of each ring, for the surface
+  /// and for its facets, and the unevenness of the edges at these positions. Rings beyond `known`
+  /// are not used.
   struct Heights
   {
     Eigen::Matrix<double, Rings, Angles> surface;
@@ -67,17 +75,18 @@ public:
     int known = Rings;
   };
 
-  /// The shape of a plane.
+  /// Creates the shape of a plane.
   SurfaceGap() = default;
-  /// `radius`: that of the last ring, mm.
+  /// `radius` is the radius of the last ring, mm.
   SurfaceGap(double radius, const Heights& heights);
 
-  /// Radius to which the surface is known, mm. isWhole(): whether that is the requested radius.
+  /// reach() returns the radius up to which the surface is known, mm. isWhole() returns whether it
+  /// is the requested radius.
   double reach() const;
   bool isWhole() const { return this->Known == Rings || this->Radius == 0.0; }
 
-  /// The terms of a contact of radius a, mm. If a exceeds reach(), the known part of the surface is
-  /// used.
+  /// Returns the terms of a contact of radius a, mm. If a exceeds reach(), the known part of the
+  /// surface is used.
   GapTerms at(double a) const;
 
   /// Heights below the tangent plane within reach(), mm, as harmonics of the angle that are linear
@@ -86,15 +95,15 @@ public:
   {
   public:
     explicit Spectrum(const SurfaceGap& gap);
-    /// Angle mean at a distance from the point.
+    /// Returns the mean over angles at a distance from the point.
     double mean(double r) const;
-    /// Height below that mean at a place.
+    /// Returns the height at a position below the mean over angles.
     double around(const Eigen::Vector2d& place) const;
 
   private:
     struct Between
     {
-      int low; ///< the lower ring; inside the first ring equal to `high`
+      int low; ///< the lower ring; equal to `high` inside the first ring
       int high;
       double part;
     };
@@ -103,10 +112,11 @@ public:
 
     double Radius;
     int Known;
-    Eigen::Matrix<double, Angles, Rings> Amplitudes; ///< 1, cos θ, sin θ, cos 2θ, ... cos 8θ
+    /// Amplitudes of 1, cos θ, sin θ, cos 2θ, ... cos 8θ
+    Eigen::Matrix<double, Angles, Rings> Amplitudes;
   };
 
-  /// Place of the height at ring k and angle j, mm.
+  /// Returns the position of the height at ring k and angle j, mm.
   Eigen::Vector2d place(int k, int j) const;
 
 private:
@@ -117,9 +127,10 @@ private:
   Eigen::Matrix<double, Rings, Angles> Surface = Eigen::Matrix<double, Rings, Angles>::Zero();
   std::array<double, Rings> Mean{};
   std::array<double, Rings> Between{}; ///< mean square of the distance between surface and facets
-  std::array<double, Rings> Uneven{};  ///< mean square
-  std::array<double, Rings> Left{};    ///< mean square of the harmonics above those of Waves
-  /// Cosine and sine amplitudes of harmonics 1, 2, ...
+  std::array<double, Rings> Uneven{};  ///< mean square of the unevenness
+  /// Mean square of the harmonics of higher order than those in Waves.
+  std::array<double, Rings> Left{};
+  /// Amplitudes of cosine and sine of the harmonics 1, 2, ...
   std::array<std::array<Eigen::Vector2d, Rings>, Harmonics> Waves;
 };
 } // namespace palpate

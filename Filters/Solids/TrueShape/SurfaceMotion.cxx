@@ -19,10 +19,11 @@ namespace
 constexpr std::size_t LeastForBend = 5;
 constexpr std::size_t LeastForSlope = 2;
 
-/// Fraction of the work that is for the modes, as reported to the observer.
+/// Fraction of the progress, as reported to the observer, that the modes take.
 constexpr double ModesShare = 0.8;
 
-/// Motion of the surface under 1 N pressed into it at a source, without the visible dent.
+/// Returns the motion of the surface under an inward force of 1 N at a source, without the visible
+/// dent.
 Eigen::Matrix3Xd motionLessDent(
   const RegularGreen& green, const SingularSource& source, const Eigen::VectorXd& smooth)
 {
@@ -61,7 +62,7 @@ Eigen::Matrix3Xd motionLessDent(
   return field;
 }
 
-/// H(x, X) without the part that the modes represent, mm/N.
+/// Returns H(x, X) without the part that the modes represent, mm/N.
 double residualOfModes(
   const RegularGreen& green, const GlobalModes& modes, std::int32_t x, std::int32_t source)
 {

@@ -13,10 +13,10 @@ namespace palpate
 {
 namespace
 {
-/// Largest distance of a facet that may touch from the tool at its largest depth, as a fraction of
+/// Largest distance from the tool at its largest depth of a facet that may touch, as a fraction of
 /// the depth.
 constexpr double TouchMargin = 0.1;
-/// Smallest cosine between the tool's axis and a facet that may touch.
+/// Smallest cosine of the angle between the tool's axis and the normal of a facet that may touch.
 constexpr double LeastFacing = 0.1;
 constexpr double NearWall = 0.995;
 constexpr double NearTool = 1.1;

@@ -13,43 +13,44 @@
 
 namespace palpate
 {
-/// Place of a press: a point of the surface (mm) and the direction of the press, a unit vector.
+/// Place of a press: a point of the surface (mm), and the direction of the press as a unit vector.
 struct DirectPlace
 {
   Eigen::Vector3d place;
   Eigen::Vector3d inward;
 };
 
-/// A facet of a body's surface in the tool's frame: the origin is the place, z points inwards.
+/// A facet of a body's surface in the tool's frame. The origin is the place of the press, and z
+/// points inwards.
 struct ToolFacet
 {
   int corners = 0;
-  std::vector<std::int32_t> nodes; ///< the corners first
-  Eigen::Matrix3Xd places;         ///< places of the nodes, mm
-  Eigen::Vector3d area;            ///< outwards, mm²
+  std::vector<std::int32_t> nodes; ///< nodes of the facet, the corners first
+  Eigen::Matrix3Xd places;         ///< positions of the nodes, mm
+  Eigen::Vector3d area;            ///< outward area vector, mm²
 };
 
-/// The tool's frame: columns are two tangents, then inwards.
+/// Returns the tool's frame. Its columns are two tangents and the inward direction.
 Eigen::Matrix3d toolFrame(const DirectPlace& at);
 
 /**
- * Facets of a body's surface that may touch the tool. They face the tool, they are inside or near
- * the tool at the depth `deepest` (mm), and they are connected to the place of the press.
+ * Returns the facets of a body's surface that may touch the tool. These facets face the tool, are
+ * inside or near the tool at the depth `deepest` (mm), and are connected to the place of the press.
  */
 PALPATE_EXPORT std::vector<ToolFacet> facetsUnder(
   const ElasticBody& body, const AxisymmetricTool& tool, const DirectPlace& at, double deepest);
 
-/// Depth at which the tool reaches the first facet with only marked nodes, mm; +inf without such a
-/// facet.
+/// Returns the depth at which the tool reaches the first facet that has only marked nodes, mm; +inf
+/// if there is no such facet.
 PALPATE_EXPORT double depthOfMarked(const std::vector<ToolFacet>& facets,
   const std::vector<unsigned char>& marked, const AxisymmetricTool& tool);
 
-/// Radius beyond which the tool cannot touch from above, mm. It is slightly less than the radius of
-/// the wall of a round tool, since the wall is vertical.
+/// Returns the radius beyond which the tool cannot touch from above, mm. It is slightly less than
+/// the radius of the wall of a round tool, because the wall is vertical.
 double reachedRadius(const AxisymmetricTool& tool);
 
-/// Calls visit() with the middle of each of the FacetParts equal parts of a facet, in the
-/// coordinates of faceShapes().
+/// Calls visit() for each of the FacetParts equal parts of a facet. The argument is the middle of
+/// the part, in the coordinates of faceShapes().
 constexpr int FacetDivisions = 5;
 constexpr int FacetParts = FacetDivisions * FacetDivisions;
 template <class Visit>

@@ -10,25 +10,27 @@ namespace palpate
 {
 namespace
 {
-// Lengths are relative to the contact radius, pressures to E*.
-constexpr double HalfWidth = 1.6; ///< half width of the disc of cells
+// Lengths are relative to the contact radius, and pressures to E*.
+constexpr double HalfWidth = 1.6; ///< half the width of the disc of cells
 constexpr int CellsAcross = 16;
 constexpr double CellSide = 2.0 * HalfWidth / CellsAcross;
 constexpr auto CellArea = static_cast<float>(CellSide * CellSide);
 
-/// Largest number of attempts. If a contact is off-centre, it is solved again around its middle; if
-/// it is wider than the cells, it is solved again on wider cells.
+/// Largest number of attempts. A contact that is off-centre is solved again around its middle. A
+/// contact that is wider than the cells is solved again on wider cells.
 constexpr int MostAttempts = 5;
 constexpr double WideningFactor = 1.4;
 
 constexpr int MostSteps = 60;
-/// The iteration ends if a step moves a smaller fraction of the load.
+/// The iteration ends if a step moves less than this fraction of the load.
 constexpr float LoadTolerance = 1e-4F;
 
-/// Gap where no contact is possible: beyond the tool's wall or where the surface is not known.
+/// Gap where no contact is possible, because the position is beyond the tool's wall or the surface
+/// is not known.
 constexpr float NoContactGap = 1e6F;
 
-/// Displacement of the surface under a cell of pressure 1 (Love 1929; Johnson 1985, 3.25).
+/// Returns the displacement of the surface under a cell with the pressure 1 (Love 1929; Johnson
+/// 1985, 3.25).
 double sinkOfCell(const Eigen::Vector2d& at)
 {
   constexpr double h = 0.5 * CellSide;
@@ -43,8 +45,8 @@ double sinkOfCell(const Eigen::Vector2d& at)
 struct ContactCells
 {
   Eigen::Matrix2Xd places;
-  Eigen::VectorXf ofHertz; ///< pressures of a sphere, up to a factor
-  Eigen::MatrixXf sink;    ///< displacement of one cell by the pressure of another
+  Eigen::VectorXf ofHertz; ///< relative pressures of a Hertzian contact with a sphere
+  Eigen::MatrixXf sink;    ///< displacement of one cell under the pressure on another
   std::vector<std::pair<Eigen::Index, Eigen::Index>> neighbours;
 
   ContactCells()
@@ -90,13 +92,13 @@ const ContactCells& contactCells()
   return cells;
 }
 
-/// Mean of the values over the cells in contact.
+/// Returns the mean of the values over the cells in contact.
 float meanUnder(const Eigen::ArrayXf& touching, const Eigen::VectorXf& values)
 {
   return (touching * values.array()).sum() / touching.sum();
 }
 
-/// Displacement of the cells under the given pressures, most of which are 0.
+/// Returns the displacement of the cells under the given pressures. Most of the pressures are 0.
 Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
 {
   const ContactCells& cells = contactCells();
@@ -111,13 +113,13 @@ Eigen::VectorXf sinkUnder(const Eigen::VectorXf& pressures)
   return sink;
 }
 
-/// Finds the pressures that carry the load on a gap, starting with the given ones. Returns the
-/// depth.
+/// Finds the pressures that carry the load on a gap. The iteration starts with the given pressures.
+/// Returns the depth.
 double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressures)
 {
   const float total = static_cast<float>(load) / CellArea;
   pressures = (gap.array() < NoContactGap).select(pressures, 0.0F);
-  if (!(pressures.sum() > 0.0F)) // the cells that touched before cannot touch now
+  if (!(pressures.sum() > 0.0F)) // the cells of the previous contact cannot touch now
   {
     pressures = (gap.array() < NoContactGap).cast<float>();
   }
@@ -141,8 +143,10 @@ double settle(const Eigen::VectorXf& gap, double load, Eigen::VectorXf& pressure
     const Eigen::VectorXf rise = raw.array() - meanUnder(touching, raw);
     const float along = open.dot(direction);
     const float against = rise.dot(direction);
-    const bool isBalanced = !(along > 0.0F && against > 0.0F); // always true for a single cell
-    // Cells with tension are released; cells that the surface has penetrated join the contact.
+    // This is always true for a single cell.
+    const bool isBalanced = !(along > 0.0F && against > 0.0F);
+    // Cells with tension are released. Cells in which the surface penetrates the tool join the
+    // contact.
     const auto enters = touching == 0.0F && open.array() < 0.0F;
     if (isBalanced && !enters.any())
     {
@@ -207,7 +211,7 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
   const double onMean = radius * settle(gap, load / (radius * radius), this->OnMean);
   if (this->Tool.largestContactRadius() < HalfWidth * radius)
   {
-    this->Middle.setZero(); // the whole tool is over the cells
+    this->Middle.setZero(); // the middle is reset, so that the cells cover the whole tool
   }
   Change change;
   change.isInside = false;
@@ -255,7 +259,8 @@ UnevenContact::Change UnevenContact::at(double radius, double load)
     if (this->OnShape[i] > 0.0F && this->OnShape[j] > 0.0F)
     {
       const double slope = static_cast<double>(around[i] - around[j]) / CellSide;
-      // The factor 2 is needed since a pair of cells gives the slope in only one of two directions.
+      // The factor 2 is needed, because a pair of cells gives the slope in only one of two
+      // directions.
       squares += 2.0 * slope * slope;
       steps += 1.0;
     }

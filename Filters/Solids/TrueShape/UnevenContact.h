@@ -10,15 +10,16 @@ namespace palpate
 {
 /**
  * Contacts of an axisymmetric tool with a half-space whose surface has any shape around the axis.
- * The pressure is uniform on square cells (Love 1929). For a given force it is found by conjugate
- * gradients on the cells in contact (Polonsky and Keer 1999). Friction is not included, and slopes
- * are assumed to be small.
+ * The pressure is uniform on square cells (Love 1929). For a given force, it is computed by
+ * conjugate gradients on the cells in contact (Polonsky and Keer 1999). Friction is not included,
+ * and slopes are assumed to be small.
  *
- * The result is the difference from the contact with the angle mean of the surface. The same cells
- * solve both contacts, so most of the error of the cells cancels.
+ * The result is the difference from the contact with the mean surface, which is the mean over
+ * angles. Both contacts are solved on the same cells. Therefore most of the error of the cells
+ * cancels.
  *
- * One object is used for one tool at one place. The solution of each contact starts with the
- * pressures of the previous contact. Not safe from several threads. Cost: 0.1 ms per contact.
+ * One object is used for one tool at one point. The solution of each contact starts with the
+ * pressures of the previous contact. The object is not thread-safe. Cost: 0.1 ms per contact.
  */
 class PALPATE_EXPORT UnevenContact
 {
@@ -30,24 +31,26 @@ public:
   {
     /// Difference of δ from the contact with the mean surface under the same force, mm.
     double deflection = 0.0;
-    /// Mean square slope, under the contact, of the deviation from the mean surface.
+    /// Mean square slope of the deviation from the mean surface under the contact.
     double steepness = 0.0;
     bool isInside = true; ///< whether the surface is known all around the contact
   };
 
-  /// Solves the contact under `load`, F/E* in mm², > 0. `radius`: contact radius on the mean
-  /// surface, mm.
+  /// Solves the contact under the load `load`, which is F/E* in mm², > 0. `radius` is the contact
+  /// radius on the mean surface, mm.
   Change at(double radius, double load);
 
 private:
-  /// Gap between tool and mean surface at first touch, mm; +inf where the surface is not known.
+  /// Returns the gap between the tool and the mean surface at first touch, mm. It is +inf where the
+  /// surface is not known.
   double meanGap(double r) const;
 
   const AxisymmetricTool& Tool;
   double Reach;
   SurfaceGap::Spectrum Heights;
   Eigen::Vector2d Middle = Eigen::Vector2d::Zero(); ///< middle of the previous contact, mm
-  Eigen::VectorXf OnShape;                          ///< pressures of the previous contact
+  /// Pressures of the previous contact with the uneven surface.
+  Eigen::VectorXf OnShape;
   Eigen::VectorXf OnMean;
 };
 } // namespace palpate

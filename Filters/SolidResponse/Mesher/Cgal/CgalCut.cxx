@@ -20,7 +20,7 @@ namespace
 {
 namespace meshes = CGAL::Polygon_mesh_processing;
 
-/// Fraction of the body's size; allows for rounding errors of constructed points.
+/// Tolerance for rounding errors of constructed points, as a fraction of the body's size.
 constexpr double OnPlane = 1e-9;
 constexpr const char* NothingLeft = "nothing of the body would be left";
 
@@ -31,7 +31,7 @@ std::string nameOf(const CutPlane& plane)
 
 CgalKernel::Plane_3 convertPlane(const CutPlane& plane)
 {
-  const double sign = plane.isUpper ? 1.0 : -1.0; // CGAL keeps the negative side
+  const double sign = plane.isUpper ? 1.0 : -1.0; // CGAL keeps the negative side of the plane
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   normal[plane.axis] = sign;
   return { normal.x(), normal.y(), normal.z(), -sign * plane.at };
@@ -48,7 +48,7 @@ void roundTo(const CutPlane& plane, MeshedSurface& surface)
   }
 }
 
-/// Adds the edges that have exactly one triangle in the plane.
+/// Adds the edges for which exactly one triangle is in the plane to the rims.
 void addRims(const CutPlane& plane, MeshedSurface& surface)
 {
   const auto isOn = [&](std::int32_t i) { return surface.points(plane.axis, i) == plane.at; };
@@ -76,8 +76,8 @@ void addRims(const CutPlane& plane, MeshedSurface& surface)
   }
 }
 
-/// Sorts points and triangles by position, because CGAL orders the results of a cut by memory
-/// addresses. The next cut, and the cells, depend on the order.
+/// Sorts points and triangles by position. This is necessary because CGAL orders the results of a
+/// cut by memory addresses, and the next cut and the cells depend on the order.
 void sortElements(MeshedSurface& surface)
 {
   const auto count = static_cast<std::size_t>(surface.points.cols());
@@ -107,7 +107,7 @@ void sortElements(MeshedSurface& surface)
   std::sort(surface.triangles.begin(), surface.triangles.end());
 }
 
-/// Cuts a surface at a plane and sorts its elements. Returns "", or a message about the fault.
+/// Cuts a surface at a plane and sorts its elements. Returns "" or an error message.
 std::string cutAt(const CutPlane& plane, MeshedSurface& surface)
 {
   CgalSurface mesh;
@@ -138,7 +138,7 @@ std::string cutAt(const CutPlane& plane, MeshedSurface& surface)
   return {};
 }
 
-/// Removes parts of less than the volume `least`, mm³. Returns "", or a message about the fault.
+/// Removes parts whose volume is below `least`, mm³. Returns "" or an error message.
 std::string removeSmallParts(double least, MeshedSurface& surface)
 {
   CgalSurface mesh;

@@ -34,8 +34,8 @@ using Complex =
 } // namespace
 } // namespace palpate
 
-/// By default CGAL writes a surface that it cannot fill to files in the working directory. This
-/// specialization writes none. CGAL 6 passes one more argument than CGAL 5.
+/// By default, CGAL writes a surface that it cannot fill to files in the working directory. This
+/// specialization writes no files. CGAL 6 passes one more argument than CGAL 5.
 template <>
 struct CGAL::Dump_c3t3<palpate::Complex>
 {
@@ -51,20 +51,24 @@ namespace
 {
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-// The criteria limit radii. The resulting lengths of edges were measured on balls: on average 0.95
-// to 1.05 of the spacing, on the surface and inside.
-constexpr double FacetRadius = 0.72; ///< largest radius of the circle around a facet, in spacings
-constexpr double CellRadius = 0.80;  ///< largest radius of the ball around a cell, in spacings
-constexpr double FacetAngle = 25.0;  ///< smallest angle of a facet, degrees: at most 30 (CGAL)
-/// Largest ratio of the radius of a cell's ball to its shortest edge.
+// The criteria of CGAL limit radii. The resulting edge lengths were measured on balls. On average
+// they are 0.95 to 1.05 times the spacing, both on the surface and inside.
+
+/// Largest radius of a facet's circumscribed circle, in spacings.
+constexpr double FacetRadius = 0.72;
+/// Largest radius of a cell's circumscribed sphere, in spacings.
+constexpr double CellRadius = 0.80;
+constexpr double FacetAngle = 25.0; ///< smallest angle of a facet, degrees; CGAL allows at most 30
+/// Largest ratio of the radius of a cell's circumscribed sphere to the cell's shortest edge.
 constexpr double RadiusEdge = 2.0;
 constexpr double SliverAngle = 10.0; ///< target for the smallest dihedral angle, degrees
 constexpr double LookupsPerCell = 6.0;
 constexpr std::size_t LookupsPerReport = 4096;
 constexpr std::size_t SeedsPerPart = 12;
-constexpr double RefinedShare = 0.9; ///< fraction of the work; the rest is the removal of slivers
+/// Fraction of the work for the refinement; the rest is the removal of slivers.
+constexpr double RefinedShare = 0.9;
 
-/// Largest ratio of the number of cells that the deviation needs to the expected number.
+/// Largest ratio of the number of cells that the deviation requires to the expected number.
 constexpr double LargestExcess = 5.0;
 
 struct Stopped
@@ -74,7 +78,7 @@ struct TooRough
 {
 };
 
-/// Looks up the spacing, and calls the observer once per LookupsPerReport lookups.
+/// Returns the spacing at a point, and calls the observer once per LookupsPerReport calls.
 class SpacingField
 {
 public:
@@ -109,7 +113,7 @@ private:
   std::size_t Lookups = 0;
 };
 
-/// A field for the criteria: a multiple of the spacing.
+/// A field for the criteria, which is a multiple of the spacing.
 struct RadiusField
 {
   using FT = Kernel::FT;
@@ -125,7 +129,8 @@ struct RadiusField
   }
 };
 
-/// A domain with initial points on all of its parts, because rays from the centre miss small parts.
+/// A domain with initial points on all of its parts. They are needed because rays from the centre
+/// miss small parts.
 class SeededDomain : public Domain
 {
 public:
@@ -158,7 +163,7 @@ private:
   std::vector<Point> Seeds;
 };
 
-/// Returns centres of triangles that are spread over each part of the surface.
+/// Returns the centres of triangles that are spread over each part of the surface.
 std::vector<Point> spreadSeeds(Surface& surface)
 {
   auto part = surface.add_property_map<Surface::Face_index, std::size_t>("f:part", 0).first;

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// The functions of SurfaceMesher.h, SurfaceCut.h and SurfaceRepair.h, implemented with CGAL.
+/// Implementations of the functions of SurfaceMesher.h, SurfaceCut.h and SurfaceRepair.h with CGAL.
 std::string fillByCgal(
   const MeshedSurface& surface, double cells, const WorkObserver& observer, TetrahedralMesh& mesh);
 std::string cutByCgal(MeshedSurface& surface, const std::vector<CutPlane>& planes, double least,

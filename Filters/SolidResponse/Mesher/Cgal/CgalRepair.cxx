@@ -33,7 +33,7 @@ namespace meshes = CGAL::Polygon_mesh_processing;
 
 /// Largest width of a filled hole, relative to the diagonal of the body's bounding box.
 constexpr double WidestHole = 0.2;
-/// Largest size of a fragment that is removed, as a fraction of all triangles.
+/// Largest size of a removed fragment, as a fraction of the number of all triangles.
 constexpr double LeastFragment = 0.001;
 /// Largest fraction of crossing triangles. A larger fraction is not a defect of scanning.
 constexpr double MostCrossing = 0.01;
@@ -52,11 +52,11 @@ Crossings crossingsOf(const CgalSurface& surface)
   return crossing;
 }
 
-/// Fraction of the way to the mean of its neighbours by which a point is moved where sheets touch.
-/// Each sheet moves to its own side.
+/// Displacement of a point where sheets touch, as a fraction of the distance to the mean position
+/// of its neighbours. Each sheet moves towards its own neighbours.
 constexpr double SeparationFraction = 0.05;
 
-/// Separates points at the same place. Returns their number.
+/// Separates points at the same position. Returns the number of separated points.
 std::size_t separateTouching(CgalSurface& mesh)
 {
   std::map<CgalPoint, std::size_t> used;
@@ -104,7 +104,7 @@ std::string closeByCgal(MeshedSurface& surface, ClosedUp& done)
   try
   {
     meshes::repair_polygon_soup(points, corners);
-    // Separates sheets at edges of more than two triangles.
+    // The next calls separate sheets at edges of more than two triangles.
     meshes::orient_polygon_soup(points, corners);
     meshes::polygon_soup_to_polygon_mesh(points, corners, mesh);
     meshes::stitch_borders(mesh);

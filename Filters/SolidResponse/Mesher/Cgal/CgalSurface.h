@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Only for sources that include CGAL.
+// Include this header only in sources that use CGAL.
 #ifndef palpate_CgalSurface_h
 #define palpate_CgalSurface_h
 
@@ -18,7 +18,7 @@ using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalPoint = CgalKernel::Point_3;
 using CgalSurface = CGAL::Surface_mesh<CgalPoint>;
 
-/// Converts a surface to CGAL. Returns "", or a message with the triangles that are wrong.
+/// Converts a surface to CGAL. Returns "", or an error message that names the invalid triangles.
 inline std::string toCgal(const MeshedSurface& from, CgalSurface& surface)
 {
   surface.reserve(static_cast<CgalSurface::size_type>(from.points.cols()),

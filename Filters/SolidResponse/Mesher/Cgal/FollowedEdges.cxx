@@ -17,14 +17,14 @@ namespace palpate
 {
 namespace
 {
-/// Smallest length of an edge that counts as an edge of the body, in spacings.
+/// Smallest length of a line that counts as an edge of the body, in spacings.
 constexpr double OwnEdge = 3.0;
-/// Points of lines within this distance are one node, in spacings.
+/// Points of lines within this distance of each other become one node, in spacings.
 constexpr double SameNode = 1e-6;
 
 using Edges = std::vector<CgalSurface::Edge_index>;
 
-/// Edges at which the surface turns by more than the angle, except those in `besides`.
+/// Returns the edges whose dihedral angle exceeds `angle` (degrees), except the edges in `besides`.
 Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
 {
   const double least = std::cos(angle * CGAL_PI / 180.0);
@@ -46,8 +46,8 @@ Edges sharpEdges(const CgalSurface& surface, double angle, const Edges& besides)
   return found;
 }
 
-/// Whether the sharp edges of a surface are edges of the body. Such edges form lines several
-/// spacings long, whereas the noise of a scan gives many short ones.
+/// Returns whether the sharp edges of a surface are edges of the body. Edges of a body form lines
+/// that are several spacings long, whereas the noise of a scan gives many short lines.
 bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSurface& wanted)
 {
   std::vector<CgalSurface::Vertex_index> root(surface.vertices().begin(), surface.vertices().end());
@@ -75,7 +75,7 @@ bool areOwnEdges(const CgalSurface& surface, const Edges& sharp, const MeshedSur
   return 2 * static_cast<std::size_t>(own) > lengths.size();
 }
 
-/// Edges on the rims, ascending.
+/// Returns the edges on the rims, in ascending order.
 Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
 {
   Edges found;
@@ -92,7 +92,7 @@ Edges rimsOf(const CgalSurface& surface, const MeshedSurface& wanted)
 
 using LineGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS, CgalPoint>;
 
-/// Collects lines, each from corner to corner or closed.
+/// Collects lines. Each line either goes from corner to corner or is closed.
 class LineVisitor
 {
 public:
@@ -114,7 +114,7 @@ private:
   const LineGraph& Graph;
 };
 
-/// Whether a line bends by more than 90° at a point.
+/// Returns whether a line bends by more than 90° at a point.
 struct IsCorner
 {
   bool operator()(LineGraph::vertex_descriptor v, const LineGraph& graph) const
@@ -128,8 +128,8 @@ struct IsCorner
   }
 };
 
-/// The nodes of lines. Points that differ only by rounding become one node: where two cuts meet, a
-/// surface may have several such points, and a line between them would have no length.
+/// The nodes of lines. Points that differ only by rounding become one node. At the intersection of
+/// two cuts, a surface may have several such points, and a line between them would have no length.
 class LineNodes
 {
 public:
@@ -164,7 +164,7 @@ private:
   using Cell = std::array<long long, 3>;
 
   LineGraph& Graph;
-  double Tolerance; ///< mm
+  double Tolerance; ///< largest distance of points that are one node, mm
   std::map<Cell, LineGraph::vertex_descriptor> Known;
 };
 
@@ -201,7 +201,7 @@ FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wan
   std::vector<Line> lines = linesOf(surface, followed, wanted.spacing.front());
   if (!areOwn)
   {
-    // The rims of a scan are as rough as its surface.
+    // The rims of a scan are as rough as the surface of the scan.
     lines = separateLines(lines, wanted.spacing.front());
   }
   for (const Line& line : lines)

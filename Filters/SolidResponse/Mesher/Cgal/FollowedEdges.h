@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Only for sources that include CGAL.
+// Include this header only in sources that use CGAL.
 #ifndef palpate_FollowedEdges_h
 #define palpate_FollowedEdges_h
 
@@ -12,14 +12,16 @@ namespace palpate
 /// Lines of a surface that the edges of the cells must follow.
 struct FollowedEdges
 {
-  /// Whether all edges sharper than the limit are followed. The mesher then finds them itself.
+  /// Whether all edges that are sharper than the limit are followed. The mesher then detects these
+  /// edges itself.
   bool areDetected = false;
   std::vector<std::vector<CgalPoint>> lines; ///< lines from corner to corner, or closed lines
 };
 
 /**
- * Returns the rims, and the sharp edges if they are edges of the body. Such edges form lines
- * several spacings long, whereas the noise of a scan gives many short ones.
+ * Returns the rims. Also returns the sharp edges if they are edges of the body and not noise. Edges
+ * of a body form lines that are several spacings long, whereas the noise of a scan gives many short
+ * lines.
  */
 FollowedEdges followedEdges(const CgalSurface& surface, const MeshedSurface& wanted);
 } // namespace palpate

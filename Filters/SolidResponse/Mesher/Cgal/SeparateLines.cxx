@@ -10,15 +10,16 @@ namespace palpate
 {
 namespace
 {
-// Lengths in units of the cells' length.
+// The following lengths are in units of the cells' edge length.
 constexpr double LeastSide = 0.25;
 constexpr double LeastDistance = 1.0;
 constexpr double LeastPart = 3.0;
-// Smallest ratio of the distance of two places to the path between them along the lines.
+// Smallest ratio of the distance between two positions to the length of the path between them along
+// the lines.
 constexpr double LeastOfPath = 0.5;
 
-/// Returns the line without points that are closer than `least` to the previous point. Both ends
-/// are kept.
+/// Returns the line without the points that are closer than `least` to the previous point. Both
+/// ends of the line are kept.
 Line withoutShortSides(const Line& line, double least)
 {
   Line made = { line.front() };
@@ -37,7 +38,7 @@ Line withoutShortSides(const Line& line, double least)
   return made;
 }
 
-/// A place on a line.
+/// A position on a line.
 struct Place
 {
   Eigen::Vector3d at;
@@ -123,7 +124,8 @@ private:
     this->IsNear.emplace_back(line.size() - 1, false);
   }
 
-  /// Length of the path along the lines between two places; infinite if the lines do not meet.
+  /// Returns the length of the path along the lines between two positions. It is infinite if the
+  /// lines do not meet.
   double path(const Place& a, const Place& b) const
   {
     double least =
@@ -164,9 +166,9 @@ private:
 
   double Length;
   std::vector<Line> Lines;
-  std::vector<double> Totals; ///< length of each line
+  std::vector<double> Totals; ///< length of each line, mm
   std::vector<Place> Places;
-  /// Per line and side: whether the side is too near another one.
+  /// Whether a segment is too close to another segment, for each line and each segment.
   std::vector<std::vector<bool>> IsNear;
 };
 } // namespace

@@ -8,15 +8,16 @@
 
 namespace palpate
 {
-/// Points in order, mm. The line is closed if the last point equals the first.
+/// Points of a line in order, mm. The line is closed if the last point equals the first.
 using Line = std::vector<Eigen::Vector3d>;
 
 /**
- * Returns the parts of lines that cells of a given length can follow. These parts are removed:
- * sides shorter than a quarter of the length; sides within the length of another line, or of
- * another part of the same line if the path along the line is more than twice the distance;
- * remaining parts shorter than three times the length. A mesher that separates lines would need an
- * unlimited number of cells at the removed parts. Lines may meet at their ends.
+ * Returns the parts of lines that cells with edges of a given length can follow. These parts are
+ * removed: segments shorter than a quarter of the length; segments whose distance from another line
+ * is less than the length; segments whose distance from another part of the same line is less than
+ * the length, if the path along the line is more than twice the distance; and remaining parts
+ * shorter than three times the length. A mesher that must separate lines would need an unlimited
+ * number of cells at the removed parts. Lines may meet at their ends.
  */
 std::vector<Line> separateLines(const std::vector<Line>& lines, double length);
 } // namespace palpate

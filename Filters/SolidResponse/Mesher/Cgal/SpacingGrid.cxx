@@ -23,7 +23,8 @@ SpacingGrid::SpacingGrid(const MeshedSurface& surface)
   }
   this->Step =
     std::max(finest / StepsPerSpacing, std::cbrt((length.array() + finest).prod() / MostGridNodes));
-  // The number of nodes of a plate is large compared with its volume, so the loop counts the nodes.
+  // A plate has a large number of nodes relative to its volume. Therefore the loop counts the
+  // nodes.
   while (((length.array() / this->Step).ceil() + 3.0).prod() > MostGridNodes)
   {
     this->Step *= 1.1;
@@ -58,8 +59,8 @@ void SpacingGrid::refine(const FineBall& ball, double growth)
   }
 }
 
-/// Sets the nodes around sample points of the triangles, less than a step apart, from the spacing
-/// there.
+/// Sets the nodes around sample points of the triangles from the spacing at the sample points. The
+/// sample points are less than a step of the grid apart.
 void SpacingGrid::mark(const MeshedSurface& surface, double growth)
 {
   for (const auto& corners : surface.triangles)
@@ -95,7 +96,8 @@ void SpacingGrid::mark(const MeshedSurface& surface, double growth)
   }
 }
 
-/// Chamfer distances from the marked nodes in two sweeps, forwards and backwards (Borgefors 1986).
+/// Computes chamfer distances from the marked nodes in two sweeps, forwards and backwards
+/// (Borgefors 1986).
 void SpacingGrid::sweep(double growth)
 {
   const auto total = static_cast<std::int64_t>(this->Values.size());
@@ -108,7 +110,8 @@ void SpacingGrid::sweep(double growth)
         static_cast<int>(flat / this->Size[0] % this->Size[1]),
         static_cast<int>(flat / this->Size[0] / this->Size[1]));
       double& value = this->Values[static_cast<std::size_t>(flat)];
-      for (int n = 0; n < 13; ++n) // the 13 of the 26 neighbours that the sweep has visited before
+      // These are the 13 of the 26 neighbours that the sweep has already visited.
+      for (int n = 0; n < 13; ++n)
       {
         const Eigen::Array3i beside =
           at + direction * Eigen::Array3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
