@@ -66,10 +66,8 @@ extern "C"
 {
 #endif
 
-  /*
-   * The version of the loaded library ("0.1.0") and its PALPATE_API_VERSION. A program may use
-   * everything in its header if the version number of the library is not below that of the header.
-   */
+  /* The version of the loaded library ("0.1.0") and its PALPATE_API_VERSION. A program may use
+   * everything in its header if the version of the library is not below that of the header. */
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
@@ -113,10 +111,8 @@ extern "C"
     PALPATE_SHAPE_DERIVED = 2
   };
 
-  /*
-   * The settings of a contact. Initialise the struct with palpate_settings_default. The forms,
-   * surfaces and models are described in ContactSettings.h and vtkToolContactProbe.h.
-   */
+  /* The settings of a contact. Initialise the struct with palpate_settings_default. The forms,
+   * surfaces and models are described in ContactSettings.h and vtkToolContactProbe.h. */
   typedef struct palpate_settings
   {
     int force_form;      /* enum palpate_force_form */
@@ -161,56 +157,44 @@ extern "C"
     double reserved[3];
   } palpate_tick;
 
-  /*
-   * Loads a file written by `palpate --export`. On failure returns null and writes the reason to
+  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason to
    * error. The reason is truncated to error_size bytes with its terminating zero. error may be
-   * null.
-   */
+   * null. */
   PALPATE_API palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
   PALPATE_API void palpate_body_free(palpate_body* body);
 
-  /*
-   * Creates a contact with the body. The device axes are those of the body, 1 m is 1000 mm, and the
+  /* Creates a contact with the body. The device axes are those of the body, 1 m is 1000 mm, and the
    * magnitude of device_force is limited to maximum_force (N). Returns null if body is null or
-   * there is not enough memory.
-   */
+   * there is not enough memory. */
   PALPATE_API palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
 
   /* Sets the default settings, which are those of palpate_contact_new. */
   PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
-  /*
-   * Creates a contact with other settings (the defaults if settings is null). Also returns null if
+  /* Creates a contact with other settings (the defaults if settings is null). Also returns null if
    * a setting is out of its range. Then the name of the setting, its range and its value are
-   * written to error as in palpate_body_load.
-   */
+   * written to error as in palpate_body_load. */
   PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
     double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
   PALPATE_API void palpate_contact_free(palpate_contact* contact);
 
-  /*
-   * Computes one tick at a position (m) and a time (s). The force is zero if the position is not
-   * finite.
-   */
+  /* Computes one tick at a position (m) and a time (s). The force is zero if the position is not
+   * finite. */
   PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
-  /*
-   * Computes one tick with the tool's axis. The axis is in the device frame, from the tip to the
+  /* Computes one tick with the tool's axis. The axis is in the device frame, from the tip to the
    * hand, and need not be normalised. A zero axis is unknown; the tool is then along the body's
-   * normal, as in palpate_step. The force is zero if the axis is not finite. (since 4)
-   */
+   * normal, as in palpate_step. The force is zero if the axis is not finite. (since 4) */
   PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
     const double axis[3], double time, palpate_tick* tick);
 
   /* Resets the contact, so that the next step starts without history. */
   PALPATE_API void palpate_reset(palpate_contact* contact);
 
-  /*
-   * Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation. The
+  /* Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation. The
    * magnitude of forces is unchanged, so that the stiffness at the hand is scale times the
-   * stiffness of the body.
-   */
+   * stiffness of the body. */
   typedef struct palpate_mapping
   {
     double rotation[9];    /* row by row; its columns are the axes of the device; orthonormal */
@@ -225,18 +209,14 @@ extern "C"
     double reserved[4];
   } palpate_mapping;
 
-  /*
-   * Sets the mapping of palpate_contact_new: the device axes are those of the body, and 1 m is 1000
-   * mm.
-   */
+  /* Sets the mapping of palpate_contact_new: the device axes are those of the body, and 1 m is 1000
+   * mm. */
   PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
-  /*
-   * Sets translation and scale of a mapping and keeps its rotation. The scale is the smallest one
+  /* Sets translation and scale of a mapping and keeps its rotation. The scale is the smallest one
    * for which the workspace contains the body with a free margin around it. workspace contains the
    * half extents of the workspace, m. margin is in mm. Returns 1 on success. On failure returns 0,
-   * writes the reason to error and leaves the mapping unchanged.
-   */
+   * writes the reason to error and leaves the mapping unchanged. */
   PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
     const double workspace[3], double margin, char* error, size_t error_size);
 
@@ -263,10 +243,8 @@ extern "C"
   /* Sets the default specification: 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
   PALPATE_API void palpate_device_default(palpate_device* device);
 
-  /*
-   * The links that a force passes before it is sent, in this order. Initialise the struct with
-   * palpate_safety_of.
-   */
+  /* The links that a force passes before it is sent, in this order. Initialise the struct with
+   * palpate_safety_of. */
   typedef struct palpate_safety
   {
     int gate;          /* nonzero: no force until the tip has been outside once */
@@ -293,10 +271,8 @@ extern "C"
   /* Sets all links active, with the limits of a device (the default device if device is null). */
   PALPATE_API void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
 
-  /*
-   * The links of the safety chain; palpate_full_tick.acted reports which links changed the force
-   * between palpate_full_tick.ideal_force and the force sent.
-   */
+  /* The links of the safety chain; palpate_full_tick.acted reports which links changed the force
+   * between palpate_full_tick.ideal_force and the force sent. */
   enum palpate_safety_link
   {
     PALPATE_NOT_FINITE = 1,
@@ -311,13 +287,11 @@ extern "C"
     PALPATE_STOPPED = 512
   };
 
-  /*
-   * Creates a contact with mapping, safety and settings; each of them may be null for its default.
+  /* Creates a contact with mapping, safety and settings; each of them may be null for its default.
    * clutch_buttons is a mask: while one of these buttons is pressed, the tip does not move and the
    * hand moves freely. With 0 there is no clutch. The contact shares the ownership of its body, so
    * that the caller may free the body earlier. Returns null if a number is out of its range or
-   * there is not enough memory, and writes the reason to error.
-   */
+   * there is not enough memory, and writes the reason to error. */
   PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
@@ -370,53 +344,41 @@ extern "C"
     double reserved[1];
   } palpate_full_tick;
 
-  /*
-   * For the loop: computes one tick of any contact with a complete sample of a device. As for
+  /* For the loop: computes one tick of any contact with a complete sample of a device. As for
    * palpate_step, time must increase. palpate_step is equivalent to this function with a valid,
-   * fresh sample without velocity and buttons.
-   */
+   * fresh sample without velocity and buttons. */
   PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
-  /*
-   * For the loop: prefetches the memory that the next step reads if the hand continues its motion.
+  /* For the loop: prefetches the memory that the next step reads if the hand continues its motion.
    * Optional; to be called after the force is sent and before the loop waits for the next tick. It
    * changes no result and takes 50 ns to a few microseconds. Without this call a step on a new part
-   * of a large body takes a third longer.
-   */
+   * of a large body takes a third longer. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
   /* For the loop: ends the force from the next step until palpate_start is called. */
   PALPATE_API void palpate_stop(palpate_contact* contact);
   PALPATE_API void palpate_start(palpate_contact* contact);
 
-  /*
-   * A scene for a contact that may be touching: another body, tool or material, or other settings.
-   */
+  /* Another body, tool or material, or other settings, for a contact that may be touching. */
   typedef struct palpate_scene palpate_scene;
 
-  /*
-   * Creates a scene, which shares the ownership of its body. force_factor (> 0 to 1) belongs to the
+  /* Creates a scene, which shares the ownership of its body. force_factor (> 0 to 1) belongs to the
    * scene and applies in addition to palpate_safety.force_factor. On failure returns null and
-   * writes the reason to error.
-   */
+   * writes the reason to error. */
   PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
     const palpate_settings* settings, double force_factor, char* error, size_t error_size);
   /* Frees a scene that was not passed to a contact, or all scenes that palpate_take_retired
    * returned. */
   PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
-  /*
-   * For the loop: passes a scene to the contact. The force of the contact changes to that of the
+  /* For the loop: passes a scene to the contact. The force of the contact changes to that of the
    * scene within 50 ms, without a jump. A scene that is passed during a change waits; if several
-   * scenes wait, only the newest is used. A null scene has no effect.
-   */
+   * scenes wait, only the newest is used. A null scene has no effect. */
   PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
-  /*
-   * For the loop: returns the scenes that the contact no longer needs, or null. Free them outside
+  /* For the loop: returns the scenes that the contact no longer needs, or null. Free them outside
    * the loop by one call of palpate_scene_free. Scenes that are not taken are freed with the
-   * contact.
-   */
+   * contact. */
   PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 
 #ifdef __cplusplus
