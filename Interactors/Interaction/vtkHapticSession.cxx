@@ -311,7 +311,7 @@ void vtkHapticSession::GetTorque(double torque[3])
 
 void vtkHapticSession::GetTorque(int device, double torque[3])
 {
-  std::fill_n(torque, 3, 0.0); // zero if the session does not run, as in GetForce
+  std::fill_n(torque, 3, 0.0); // zero if the session does not run; see GetForce
   if (this->GetState(device) == Running)
   {
     std::copy_n(this->Newest(device).appliedTorque.data(), 3, torque);
