@@ -71,8 +71,8 @@ private:
   ComparedMaterial Material;
   double Deflection = 1.0;
   std::size_t ShownTool = 0;
-  vtkIdType JudgedPoint =
-    -1; ///< point of the statement; -1 if there is no statement or it is outdated
+  /// Point of the statement; -1 if there is no statement or it is outdated.
+  vtkIdType JudgedPoint = -1;
   RegimeStatement Statement;
   double ArrowForce = 0.0; ///< N, force to which the scale of the arrow is adapted
 

@@ -21,8 +21,8 @@
 namespace
 {
 constexpr int TextSize = 15;
-constexpr double MapLegendWidth =
-  175.0; // width of the legend, pixels; equal to that of a contact scene
+// Width of the legend, pixels; equal to that of a contact scene.
+constexpr double MapLegendWidth = 175.0;
 // Shift of the legend to the left if it shows names, as a fraction of its width.
 constexpr double NamesShift = 0.6;
 
@@ -56,8 +56,8 @@ vtkRegimeMap::vtkRegimeMap()
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
 {
   this->Mapper->SetScalarModeToUsePointFieldData();
-  this->Mapper
-    ->SetColorModeToMapScalars(); // verdicts are bytes, which would otherwise be used as colours
+  // Verdicts are bytes, which would otherwise be used as colours.
+  this->Mapper->SetColorModeToMapScalars();
   this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->InterpolateScalarsBeforeMappingOn(); // makes the borders between the verdicts sharp
   this->Actor->SetMapper(this->Mapper);

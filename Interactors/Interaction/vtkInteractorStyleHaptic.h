@@ -246,8 +246,8 @@ private:
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
-  bool KeepsWheelDepth =
-    false; ///< whether the wheel was pressing the tool when the button was pressed
+  /// Whether the wheel was pressing the tool when the button was pressed.
+  bool KeepsWheelDepth = false;
   bool WheelPressed = false;
   bool AtGreatestDepth = false;
   bool OffBody = false; ///< whether the last move found no surface while the tool pressed

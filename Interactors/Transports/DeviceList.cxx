@@ -81,8 +81,8 @@ DeviceList listDevices(HidBus& bus)
     ListedDevice device;
     const bool listed = std::any_of(list.devices.begin(), list.devices.end(),
       [&entry](const ListedDevice& other) { return other.entry.path == entry.path; });
-    if (!listed &&
-      isKnown(entry, device.kind)) // a device has one entry for each usage but is listed once
+    // A device has one entry for each usage but is listed once.
+    if (!listed && isKnown(entry, device.kind))
     {
       device.address = "hid:" + entry.path;
       device.obstacle = bus.obstacle(entry.path);

@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int Halvings =
-  60; // number of halvings that shortens an interval of length 80 to less than 1e-16
+// Number of halvings that shortens an interval of length 80 to less than 1e-16.
+constexpr int Halvings = 60;
 
 /// Probability of at least `successes` in `trials`, each of which succeeds with the probability p,
 /// in (0, 1). Terms are computed by logarithms, because the coefficients overflow for 1030 trials

@@ -223,8 +223,8 @@ std::string TrialLog::fail(int reason)
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {
-    std::filesystem::resize_file(
-      this->Path, this->Size, ignored); // removes an incomplete row from the file
+    // Removes an incomplete row from the file.
+    std::filesystem::resize_file(this->Path, this->Size, ignored);
   }
   return this->Fault;
 }

@@ -46,9 +46,9 @@ struct DeviceSpecification
   double maximumStiffness = 1500.0;
   double maximumForceRate = std::numeric_limits<double>::infinity(); ///< N/s
   double maximumDamping = 10.0; ///< largest damping of a damper sampled at `rate`, N s/m
-  Eigen::Vector3d workspace =
-    Eigen::Vector3d::Constant(0.1); ///< half extents of the workspace, centred at 0, m
-  double rate = 1000.0;             ///< Hz
+  /// Half extents of the workspace, centred at 0, m.
+  Eigen::Vector3d workspace = Eigen::Vector3d::Constant(0.1);
+  double rate = 1000.0; ///< Hz
   /// Longest time without a new reading, s, after which the device counts as lost. Infinite for a
   /// device that sends no readings while it is at rest.
   double sampleTimeOut = 0.02;
@@ -57,8 +57,8 @@ struct DeviceSpecification
   bool outputsForce = true;
 
   bool outputsTorque = false;
-  double maximumTorque =
-    0.0; ///< largest torque about the tip, N m; 0 if the device outputs no torque
+  /// Largest torque about the tip, N m; 0 if the device outputs no torque.
+  double maximumTorque = 0.0;
   /// Largest stiffness for rotation, N m/rad, defined as maximumStiffness is for translation:
   /// b_θ/T, or b_θ/(T + 2t) with delays, where b_θ (N m s/rad) is the device's own rotational
   /// damping.

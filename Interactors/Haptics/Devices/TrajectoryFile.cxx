@@ -128,8 +128,8 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
 /// about them.
 std::string keepRows(WholeFile& file, std::size_t rows, std::size_t remarks)
 {
-  const std::size_t above =
-    1 + remarks; // number of lines above the rows: the names of the columns and the setups
+  // Number of lines above the rows: the names of the columns and the setups.
+  const std::size_t above = 1 + remarks;
   const std::size_t lines = file.keepLines(above + 1);
   return lines == 0 ? std::string()
                     : "; the first " + std::to_string(lines - above) + " of " +

@@ -15,8 +15,8 @@ namespace palpate::TrajectoryTable
 {
 constexpr std::size_t ContactBegin = 4; ///< columns before this one: time and tip
 constexpr std::size_t DeviceBegin = 14;
-constexpr std::size_t MemoryBegin =
-  27; ///< column of the contact's memory force, present if the body relaxes
+/// Column of the contact's memory force, present if the body relaxes.
+constexpr std::size_t MemoryBegin = 27;
 constexpr std::size_t AxisBegin = 28;
 constexpr std::size_t TorqueBegin = 31; ///< first column of the contact's torque
 constexpr std::size_t ColumnCount = 34;

@@ -55,8 +55,8 @@ public:
   /// The fault of the first of Rotation, Translation and Scale that is not finite or out of its
   /// range. The rotation must be orthonormal within RotationTolerance.
   SettingFault fault() const;
-  static constexpr double RotationTolerance =
-    1e-6; ///< tolerance of RᵀR; permits numbers with 7 digits
+  /// Tolerance of RᵀR; permits numbers with 7 digits.
+  static constexpr double RotationTolerance = 1e-6;
 
   Eigen::Vector3d toBody(const Eigen::Vector3d& devicePosition) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& bodyPosition) const noexcept;

@@ -68,8 +68,8 @@ bool GuidedHand::isBehind() const noexcept
 /// contacts with another face.
 bool GuidedHand::canRise() const noexcept
 {
-  constexpr double least =
-    0.5; // cosine of the angle between the normal and the direction to the contact point
+  // Cosine of the angle between the normal and the direction to the contact point.
+  constexpr double least = 0.5;
   if (this->Depth == 0.0)
   {
     return true;

@@ -110,13 +110,13 @@ private:
   std::size_t Known = 0;
   std::size_t First = 0;
   double Margin = 0.0;
-  std::array<std::uint32_t, MostRetreat>
-    Tried{};            ///< bit j is set if the line to step j of the goal's path was tried
+  /// Bit j is set if the line to step j of the goal's path was tried.
+  std::array<std::uint32_t, MostRetreat> Tried{};
   std::size_t From = 0; ///< index of the retreat's point at which the present line begins
   std::size_t To = 0;
   int Direction = 0; ///< the next direction of an escape
-  BoundedPath<MostArc>
-    Arc; ///< points between the end of the retreat and the end of the goal's path
+  /// Points between the end of the retreat and the end of the goal's path.
+  BoundedPath<MostArc> Arc;
   std::size_t ArcLeg = 0;
   FreeLine Line;
   Stage Now = Stage::Done;

@@ -64,8 +64,8 @@ struct SafeForce
   std::uint16_t acted = 0; ///< sum of SafetyLink
   /// Time, s, after which the device must end the force by itself if no further force follows.
   double holdTime = 0.0;
-  bool isGap =
-    false; ///< whether the force is zero now but the contact continues with the next reading
+  /// Whether the force is zero now but the contact continues with the next reading.
+  bool isGap = false;
 
   bool has(SafetyLink link) const noexcept
   {

@@ -24,8 +24,8 @@ class ForceRamp
 {
 public:
   static constexpr double Duration = 0.05; ///< s
-  static constexpr double MaximumStep =
-    0.1; ///< largest change of the factor per tick; corresponds to 5 ms
+  /// Largest change of the factor per tick; corresponds to 5 ms.
+  static constexpr double MaximumStep = 0.1;
 
   explicit ForceRamp(double share) noexcept
     : Share(share)

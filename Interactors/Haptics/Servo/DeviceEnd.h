@@ -36,14 +36,14 @@ struct Tick
   Eigen::Vector3d deviceTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d idealTorque = Eigen::Vector3d::Zero();
   Eigen::Vector3d appliedTorque = Eigen::Vector3d::Zero();
-  double forceFactor =
-    1.0; ///< ratio of applied force to ideal force due to the device fit (DeviceFit)
+  /// Ratio of applied force to ideal force due to the device fit (DeviceFit).
+  double forceFactor = 1.0;
   double holdTime = 0.0; ///< s, time for which deviceForce may be held (SafetyChain)
   /// Fraction of idealForce that comes from the scene of `contact`. It is less than 1 during a
   /// ramp.
   double sceneShare = 1.0;
-  std::uint32_t scene =
-    0; ///< index of the scene of `contact`, which is the number of preceding changes
+  /// Index of the scene of `contact`, which is the number of preceding changes.
+  std::uint32_t scene = 0;
   std::uint32_t buttons = 0;
   std::uint16_t acted = 0; ///< sum of SafetyLink
   bool valid = false;      ///< whether the device reported its position
@@ -109,8 +109,8 @@ private:
   bool Held = false;
   bool Moved = false; ///< whether Offset is used; adding a zero offset would change -0 to +0
   Eigen::Vector3d Tip = Eigen::Vector3d::Zero();
-  Eigen::Vector3d Offset =
-    Eigen::Vector3d::Zero(); ///< position of the tip minus mapped position of the hand, mm
+  /// Position of the tip minus mapped position of the hand, mm.
+  Eigen::Vector3d Offset = Eigen::Vector3d::Zero();
   ForceRamp Force{ 1.0 };
 };
 

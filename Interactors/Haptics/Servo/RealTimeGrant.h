@@ -40,8 +40,8 @@ struct PALPATE_EXPORT RealTimeGrant
   int priorityError = 0; ///< errno of the first refusal; 0 if there was none
   bool memoryLocked = false;
   int memoryError = 0; ///< errno of the refusal to lock the memory; 0 if there was none
-  bool timerSlack =
-    false; ///< whether the timer slack is 1 ns; for a thread without SCHED_FIFO it would be 50 µs
+  /// Whether the timer slack is 1 ns; for a thread without SCHED_FIFO it would be 50 µs.
+  bool timerSlack = false;
 
   /// Describes the grant in one line: "SCHED_FIFO 80 granted; memory not locked: not requested;
   /// timer slack 1 ns".

@@ -96,8 +96,8 @@ struct SceneForce
   Vector3 idealForce = Vector3::Zero(); ///< force, blended during a change; contact.force otherwise
   Vector3 cappedForce = Vector3::Zero(); ///< force with the stiffness of each scene capped, blended
   Vector3 idealTorque = Vector3::Zero(); ///< torque about the tip, N mm, blended
-  Vector3 cappedTorque =
-    Vector3::Zero();        ///< torque with the torsional stiffness of each scene capped, blended
+  /// Torque with the torsional stiffness of each scene capped, blended.
+  Vector3 cappedTorque = Vector3::Zero();
   double forceFactor = 1.0; ///< force factor, blended; if 0, no force is sent
   double share = 1.0;       ///< fraction of idealForce from the newest scene
   /// The longest displacement (mm) over which the contact can return work: the deflection, the

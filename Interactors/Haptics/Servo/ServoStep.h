@@ -141,8 +141,8 @@ private:
     DeviceEnd end;
     SafetyInput input;
     bool isOver = false; ///< whether the force has ended
-    bool isAtWork =
-      false; ///< whether the gate was open and the force had not ended in the last tick
+    /// Whether the gate was open and the force had not ended in the last tick.
+    bool isAtWork = false;
     bool sharesEnergy = false;
     double wanted = 0.0; ///< energy that the account of this device lacks, J
   };

@@ -48,8 +48,8 @@ std::string fault(HeldPlant held)
 {
   for (const Setting& setting : settingsOf(held))
   {
-    if (!(*setting.value >= setting.least &&
-          *setting.value <= setting.most)) // NaN is also out of range
+    // NaN is also out of range.
+    if (!(*setting.value >= setting.least && *setting.value <= setting.most))
     {
       std::ostringstream text;
       text << setting.name << " must be from " << setting.least << " to " << setting.most << " "

@@ -29,10 +29,10 @@ struct SimulatedPlant
   double mass = 0.1;     ///< apparent mass m, kg; at least 1e-6
   double damping = 1.0;  ///< viscous damping b, N s/m
   double friction = 0.0; ///< Coulomb friction f_c of each axis, N
-  double encoderStep =
-    0.0; ///< m; readings are multiples of this step; 0 for readings without rounding
-  double forceDelay =
-    0.0; ///< time between the tick that writes a force and the start of the force, s; at most 1
+  /// Step of the encoders, m; readings are multiples of it. 0 for readings without rounding.
+  double encoderStep = 0.0;
+  /// Time between the tick that writes a force and the start of the force, s; at most 1.
+  double forceDelay = 0.0;
   double sampleDelay = 0.0; ///< age of a reading, s; at most 1
   double inertia = 0.0; ///< moment of inertia I, kg m²; if 0, the device outputs no torque and has
                         ///< the hand's target orientation
@@ -52,8 +52,8 @@ struct HandModel
   double stiffness = 300.0; ///< stiffness k, N/m; if stiffness and damping are 0, there is no hand
   double damping = 5.0;     ///< damping b, N s/m
   double maximumForce = std::numeric_limits<double>::infinity(); ///< largest force on each axis, N
-  double turnStiffness =
-    0.5; ///< rotational stiffness towards the hand's target orientation, N m/rad
+  /// Rotational stiffness towards the hand's target orientation, N m/rad.
+  double turnStiffness = 0.5;
   double turnHandDamping = 5e-3; ///< rotational damping, N m s/rad
 };
 

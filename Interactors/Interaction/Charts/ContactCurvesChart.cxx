@@ -36,8 +36,8 @@ void ContactCurvesChart::Line::show(const Curve& curve)
       const double force = curve.force(depth);
       this->band.add(depth, (1.0 - error) * force, (1.0 + error) * force);
     }
-    if (before < join &&
-      join < depth) // both parts of the curve contain the point where the parts join
+    // Both parts of the curve contain the point where the parts join.
+    if (before < join && join < depth)
     {
       this->trusted.add(join, curve.force(join));
       this->beyond.add(join, curve.force(join));

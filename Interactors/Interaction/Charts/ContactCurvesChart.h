@@ -37,12 +37,12 @@ public:
   /// The values of a curve, as functions of the deflection.
   struct Curve
   {
-    std::function<double(double)>
-      force;               ///< force in N at a deflection in mm; NaN if there is no value
+    /// Force in N at a deflection in mm; NaN if there is no value.
+    std::function<double(double)> force;
     double end = 0.0;      ///< largest plotted deflection, mm
     double validity = 0.0; ///< mm
-    std::function<double(double)>
-      error = {}; ///< relative error at a deflection in mm; null for a curve without a band
+    /// Relative error at a deflection in mm; null for a curve without a band.
+    std::function<double(double)> error = {};
   };
 
   ContactCurvesChart();

@@ -74,8 +74,8 @@ private:
   Vector3 Weights;
   TiltTable Tilts;
   std::array<double, TiltTerms::MostLaws> TiltWeights{}; ///< weights of the laws at the contact
-  std::vector<float>
-    Errors; ///< errors at the samples of the three corners; empty if no errors are stored
+  /// Errors at the samples of the three corners; empty if no errors are stored.
+  std::vector<float> Errors;
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

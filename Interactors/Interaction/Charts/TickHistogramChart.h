@@ -15,8 +15,8 @@ class TickHistogramChart : public LiveChart
 {
 public:
   static constexpr int ClassesPerDecade = 10;
-  static constexpr int FirstDecade =
-    -1; ///< exponent of the first decade; durations are in microseconds
+  /// Exponent of the first decade; durations are in microseconds.
+  static constexpr int FirstDecade = -1;
   static constexpr int LastDecade = 6;
 
   TickHistogramChart();

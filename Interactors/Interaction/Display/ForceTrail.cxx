@@ -107,8 +107,8 @@ void ForceTrail::add(const ShownContact& contact, bool isPicture)
   if (this->IsNear)
   {
     this->Pictures -= this->Contacts.back().isPicture ? 1 : 0;
-    this->Contacts
-      .pop_back(); // distances are measured from the contact that precedes the removed one
+    // Distances are measured from the contact that precedes the removed one.
+    this->Contacts.pop_back();
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < SmallestDistance;

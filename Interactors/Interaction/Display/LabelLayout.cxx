@@ -23,18 +23,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double Spacing =
-  2.0; // smallest distance between texts, and between a text and an obstacle, pixels
+// Smallest distance between texts, and between a text and an obstacle, pixels.
+constexpr double Spacing = 2.0;
 constexpr double HeadDistance = 10.0; // smallest distance of a text from the head, pixels
-constexpr double DistanceStep =
-  6.0; // distance between successive rings of candidate positions around the head, pixels
+// Distance between successive rings of candidate positions around the head, pixels.
+constexpr double DistanceStep = 6.0;
 constexpr int Directions = 16; // number of candidate positions in a ring
-constexpr double SteadyDistance =
-  40.0;                            // pixels by which another position must be nearer to the head
+// Pixels by which another position must be nearer to the head.
+constexpr double SteadyDistance = 40.0;
 constexpr double WrongSide = 20.0; // pixels, cost of a position on the side away from the arrow
 constexpr double SideLess = 4.0;   // pixels; for a shorter arrow no side is preferred
-constexpr double CoveredObstacle =
-  1e5; // pixels, cost of a covered obstacle; larger than any distance
+// Pixels, cost of a covered obstacle; larger than any distance.
+constexpr double CoveredObstacle = 1e5;
 constexpr double NoPlace = std::numeric_limits<double>::infinity();
 
 /// The box of a text, in pixels of the window.

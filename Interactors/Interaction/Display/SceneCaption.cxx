@@ -118,8 +118,8 @@ SceneCaption::SceneCaption()
   vtkTextProperty* text = this->Actor->GetTextProperty();
   text->SetColor(TextColor.data());
   text->SetLineSpacing(LineSpacing);
-  text->SetBackgroundColor(
-    BackgroundColor.data()); // the background is needed because the body may be behind the text
+  // The background is needed because the body may be behind the text.
+  text->SetBackgroundColor(BackgroundColor.data());
   text->SetBackgroundOpacity(BackgroundOpacity);
   this->Actor->SetPosition(Left, Bottom);
 }

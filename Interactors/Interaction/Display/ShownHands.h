@@ -99,8 +99,8 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Hand> Hands;
-  std::vector<Eigen::Vector3d>
-    FreeDirections; ///< one element for each hand that a session can have
+  /// One element for each hand that a session can have.
+  std::vector<Eigen::Vector3d> FreeDirections;
 };
 } // namespace palpate
 

@@ -18,8 +18,8 @@ constexpr double LeftMargin = 10.0; // left margin of a label that is aligned le
 
 PanelButton::PanelButton()
 {
-  this->NumberOfStates =
-    1; // one state, because the owner, not the widget, switches the button on and off
+  // One state, because the owner, not the widget, switches the button on and off.
+  this->NumberOfStates = 1;
   stylePanelText(this->Text, TextColor);
   this->Text->GetTextProperty()->SetJustificationToCentered();
   this->Text->GetTextProperty()->SetVerticalJustificationToCentered();

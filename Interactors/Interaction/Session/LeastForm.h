@@ -18,8 +18,8 @@ struct LeastFormRequest
   vtkSmartPointer<vtkPolyData> body; ///< the body with the response
   std::string name;                  ///< prefix of the response
   double tolerance = 0.01;           ///< largest relative error of the force
-  double deflection =
-    0.0; ///< deflection at which regime and validity are evaluated, mm; 0 for half of Range
+  /// Deflection at which regime and validity are evaluated, mm; 0 for half of Range.
+  double deflection = 0.0;
 
   /// Name of the array with the body's global compliance (mm/N). If it is given, the form of a
   /// point force is also considered. Tool and material must be those of the response.

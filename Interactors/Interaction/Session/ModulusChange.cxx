@@ -21,8 +21,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestChange =
-  1e6; // largest ratio of two moduli at which floats keep their accuracy
+// Largest ratio of two moduli at which floats keep their accuracy.
+constexpr double LargestChange = 1e6;
 /// Largest relative rounding error of the product of modulus and compliance.
 constexpr double Rounding = 1e-12;
 constexpr std::size_t Share = 65536; // number of values that a thread scales at a time

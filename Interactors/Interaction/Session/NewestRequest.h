@@ -99,8 +99,8 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0,
-      yielding); // the priority applies to this thread and all threads that it starts
+    // The priority applies to this thread and all threads that it starts.
+    setpriority(PRIO_PROCESS, 0, yielding);
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)

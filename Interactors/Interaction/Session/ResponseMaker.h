@@ -69,8 +69,8 @@ struct MadeResponses
   /// For each response, the body with the form from which a session computes the force.
   std::vector<vtkSmartPointer<vtkPolyData>> forms;
   BodyKernels kernels; ///< kernels of these forms
-  std::vector<std::string>
-    choices; ///< reason for the choice of each form; empty if no form was chosen
+  /// Reason for the choice of each form; empty if no form was chosen.
+  std::vector<std::string> choices;
   std::string error;
   std::string warning;
   /// Whether the forces are exact, but errors and validities were computed for another Poisson's

@@ -17,8 +17,8 @@
 namespace palpate::SetupArrays
 {
 constexpr const char* Thickness = "LayerThickness";
-constexpr const char* First =
-  "LayerThickness0"; // name of the array with the thickness of the first layer of a stack
+// Name of the array with the thickness of the first layer of a stack.
+constexpr const char* First = "LayerThickness0";
 constexpr const char* Second = "LayerThickness1";
 constexpr const char* Compliance = "GlobalCompliance";
 } // namespace palpate::SetupArrays

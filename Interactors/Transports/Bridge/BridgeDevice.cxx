@@ -85,8 +85,8 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now =
-      Stage::Described; // a state that arrived before the first tick has no time of the servo loop
+    // A state that arrived before the first tick has no time of the servo loop.
+    this->Now = Stage::Described;
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -223,8 +223,8 @@ void BridgeDevice::greet() noexcept
 {
   HapticReportBytes bytes{};
   pack(HelloReport{ this->Nonce }, bytes);
-  this->Socket->send(
-    bytes.data(), bytes.size()); // if this greeting is lost, other greetings follow
+  // If this greeting is lost, other greetings follow.
+  this->Socket->send(bytes.data(), bytes.size());
 }
 
 bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept

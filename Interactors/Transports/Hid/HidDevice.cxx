@@ -80,8 +80,8 @@ public:
     this->States.write({ state, ++this->Number });
     this->Faulty.store(state.fault, std::memory_order_relaxed);
     this->Amplified.store(state.amplifiersOn, std::memory_order_relaxed);
-    this->Alive.store(
-      true, std::memory_order_release); // set only after the first state has been stored
+    // Set only after the first state has been stored.
+    this->Alive.store(true, std::memory_order_release);
   }
 
   void lost() noexcept override
