@@ -25,10 +25,9 @@ namespace
 //
 // Size of cells at a distance of up to FinestHalfWidth from the axis of a nodule.
 constexpr double FinestSize = 0.75;
-constexpr double FinestHalfWidth =
-  3.75;                             // half width of the region with the finest cells, five cells
-constexpr double FineSize = 1.0;    // size of cells at nodules
-constexpr double CoarserSize = 2.0; // size of cells between nodules
+constexpr double FinestHalfWidth = 3.75; // half width of the finest region, five cells
+constexpr double FineSize = 1.0;         // size of cells at nodules
+constexpr double CoarserSize = 2.0;      // size of cells between nodules
 // Distance from the outermost nodules to the walls; more than ten contact radii.
 constexpr double Margin = 30.0;
 constexpr double Grading = 2.0; // ratio of the sizes of neighbouring cells in the margin
