@@ -37,7 +37,8 @@ public:
     double targetVelocity = 0.0; ///< m/s
   };
 
-  /// The values of x'' = -βx' - κx a time h after a unit impulse (s) and after a unit step (∫s).
+  /// The solution x of x'' = -βx' - κx at the time h after a unit impulse (s) and after a unit step
+  /// (∫s).
   struct Response
   {
     double impulse = 0.0;
