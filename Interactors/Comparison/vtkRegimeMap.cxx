@@ -131,7 +131,7 @@ void vtkRegimeMap::PlaceLegend()
 {
   if (this->Renderer)
   {
-    // The legend has the same size in pixels, whatever the width of the viewport.
+    // The legend has the same size in pixels, regardless of the width of the viewport.
     const double share = std::min(
       1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
     // The names are to the right of the bar. The shift to the left reserves space for the names.

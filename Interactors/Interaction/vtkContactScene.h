@@ -142,7 +142,7 @@ public:
 
   /**
    * Whether the scene is for a blind comparison. It then shows only the position of a contact as a
-   * ball on the surface, whatever the depth of the tip. Tool, forces, dent, circle, trail and
+   * ball on the surface, regardless of the depth of the tip. Tool, forces, dent, circle, trail and
    * legends are not drawn. The caption has only title and remark. Default off.
    */
   void SetBlind(bool blind);

@@ -204,7 +204,7 @@ void vtkHapticSession::GetForce(double force[3])
 
 void vtkHapticSession::GetForce(int device, double force[3])
 {
-  // A stopped session exerts no force, whatever the force of the last tick was.
+  // A stopped session exerts no force, regardless of the force of the last tick.
   std::fill_n(force, 3, 0.0);
   if (this->GetState(device) == Running)
   {

@@ -70,7 +70,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether the output has all tips, whatever time is requested. Default off. */
+  /** Whether the output has all tips, regardless of the requested time. Default off. */
   vtkSetMacro(WholePath, bool);
   vtkGetMacro(WholePath, bool);
   vtkBooleanMacro(WholePath, bool);

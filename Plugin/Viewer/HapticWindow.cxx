@@ -272,7 +272,7 @@ void HapticWindow::usePanel(vtkContactSetup* setup)
     });
 }
 
-/// Keeps the width of the panel in pixels constant, whatever the size of the window.
+/// Keeps the width of the panel in pixels constant, regardless of the size of the window.
 void HapticWindow::arrange()
 {
   if (!this->HasPanel)

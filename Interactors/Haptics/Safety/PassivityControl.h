@@ -153,13 +153,13 @@ private:
  * actually sent.
  *
  * A force F_k is held while the hand moves from x_k to x_k+1, so that its work is exactly F_k ·
- * (x_k+1 - x_k), whatever the motion in between. The hold makes a spring K a generator of energy:
- * the held force is too small while pressing, and too large while releasing. Every hold generates K
- * |x_k+1 - x_k|²/2; a press and release at speed v generates F_max v T. No safety chain can prevent
- * this generation of energy; the damping b of the device itself must compensate it. In a hold of
- * length dt this damping dissipates at least b |x_k+1 - x_k|²/dt, and the stiffest spring that a
- * manufacturer may allow at the period T is 2b/T (Colgate and Schenkel 1997). Therefore, with b =
- * K_max T/2, the observer counts
+ * (x_k+1 - x_k), regardless of the motion in between. The hold makes a spring K a generator of
+ * energy: the held force is too small while pressing, and too large while releasing. Every hold
+ * generates K |x_k+1 - x_k|²/2; a press and release at speed v generates F_max v T. No safety chain
+ * can prevent this generation of energy; the damping b of the device itself must compensate it. In
+ * a hold of length dt this damping dissipates at least b |x_k+1 - x_k|²/dt, and the stiffest spring
+ * that a manufacturer may allow at the period T is 2b/T (Colgate and Schenkel 1997). Therefore,
+ * with b = K_max T/2, the observer counts
  *   E_k+1 = E_k - F_k · d + b |d|²/dt,  d = x_k+1 - x_k,
  * and allows a force up to |F_k| = √(2 K_max E_k). Then, for any next d,
  *   E_k+1 >= E_k - |F_k| |d| + K_max |d|²/2 >= E_k - F_k²/(2 K_max) >= 0:
@@ -171,13 +171,13 @@ private:
  * The control does not act on a passive scene: for F = -∇U with U >= 0 and no second derivative
  * above K_max,
  *   U_k+1 <= U_k - F_k · d + K_max |d|²/2,
- * so E_k >= U_k, and |F_k|² <= 2 K_max U_k, so that the force is never above the bound, whatever
- * the motion. The sent force has the direction of the scene's force and is never larger; a spring
- * that is too stiff is rendered as a softer spring. A scene that uses all of the credit would
- * oscillate for ever, as a spring of K_max does on a device without a hand. Therefore, while the
- * requested force exceeds the bound, b and K_max above are multiplied by a fraction: the ratio of
- * bound and request, but at least SmallestShare. The fraction applies until the force is zero. The
- * remaining damping makes the motion decay.
+ * so E_k >= U_k, and |F_k|² <= 2 K_max U_k, so that the force is never above the bound, regardless
+ * of the motion. The sent force has the direction of the scene's force and is never larger; a
+ * spring that is too stiff is rendered as a softer spring. A scene that uses all of the credit
+ * would oscillate for ever, as a spring of K_max does on a device without a hand. Therefore, while
+ * the requested force exceeds the bound, b and K_max above are multiplied by a fraction: the ratio
+ * of bound and request, but at least SmallestShare. The fraction applies until the force is zero.
+ * The remaining damping makes the motion decay.
  *
  * When readings are missing, the force is removed immediately, and the motion of the hand in the
  * last hold is unknown. Then the control counts the energy that the hand may have received, and no

@@ -115,8 +115,8 @@ public:
   void stop() noexcept;
   void start() noexcept { this->IsStopped = false; }
   bool isStopped() const noexcept { return this->IsStopped; }
-  /// Whether apply() sends no force at `time` even if the sample is valid, whatever the scene. This
-  /// is so if the chain is stopped, the watchdog has expired, or the time is invalid.
+  /// Whether apply() sends no force at `time` even if the sample is valid, regardless of the scene.
+  /// This is so if the chain is stopped, the watchdog has expired, or the time is invalid.
   bool isEnded(double time) const noexcept
   {
     return this->IsStopped ||

@@ -140,7 +140,7 @@ public:
   /// the contact.
   bool send(const SafetyInput& input, Tick& tick) noexcept;
 
-  /// Whether no force is sent at `time` even if the sample is valid, whatever the scene
+  /// Whether no force is sent at `time` even if the sample is valid, regardless of the scene
   /// (SafetyChain::isEnded).
   bool isEnded(double time) const noexcept { return this->Chain.isEnded(time); }
 

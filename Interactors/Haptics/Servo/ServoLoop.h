@@ -51,8 +51,8 @@ struct PALPATE_EXPORT ServoLoopSettings
  * one common time. Each device has a separate slot and ring.
  *
  * Deadlines are absolute: tick k is due k periods after the start. This due time is the time of the
- * tick, no matter when the thread wakes up. A tick that cannot begin before the next one is due is
- * missed. Missed ticks are skipped and counted, so that a loop that is too slow still sleeps
+ * tick, regardless of when the thread wakes up. A tick that cannot begin before the next one is due
+ * is missed. Missed ticks are skipped and counted, so that a loop that is too slow still sleeps
  * between ticks. Therefore the index of the newest tick is k = ticks + missed - 1.
  *
  * The thread requests real-time scheduling and, if the settings say so, locked memory; grant()

@@ -12,7 +12,7 @@
 namespace palpate
 {
 /**
- * Stores the last seconds of a signal in a bounded number of points, whatever the rate of the
+ * Stores the last seconds of a signal in a bounded number of points, regardless of the rate of the
  * signal. Time is divided into `bins` equal intervals. Each interval keeps its smallest and its
  * largest value with their times, so that no peak is lost. A signal with at most one value per
  * interval is stored unchanged.

@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 256> checkSumTable()
 
 constexpr std::array<std::uint32_t, 256> CheckSumTable = checkSumTable();
 
-/// The members of a report are little-endian, whatever the byte order of the host.
+/// The members of a report are little-endian, regardless of the byte order of the host.
 void put32(HapticReportBytes& bytes, std::size_t offset, std::uint32_t value) noexcept
 {
   for (std::size_t i = 0; i < 4; ++i)

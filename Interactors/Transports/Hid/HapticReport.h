@@ -52,7 +52,7 @@ struct StateReport
 /// A report from the host to the device.
 struct ForceReport
 {
-  bool enable = false; ///< if false, the amplifiers are off, whatever the force
+  bool enable = false; ///< if false, the amplifiers are off, regardless of the force
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;                          ///< time by the host's clock, µs
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N; must be finite

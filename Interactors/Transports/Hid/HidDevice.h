@@ -19,8 +19,8 @@ namespace palpate
  * A device that uses the 64-byte force reports over raw HID (PROTOCOL.md).
  *
  * A reader and a writer thread decouple the tick from the driver: read returns the newest state,
- * and write passes the force to the writer thread. Neither function waits, whatever the driver
- * does. Reports are counted but not used if they are damaged, of another version, old or repeated.
+ * and write passes the force to the writer thread. Neither function waits, even if the driver
+ * hangs. Reports are counted but not used if they are damaged, of another version, old or repeated.
  *
  * The specification consists of the credible values of the device's feature report; the other
  * values are conservative (specificationOf). No force is sent before a valid state has arrived, so

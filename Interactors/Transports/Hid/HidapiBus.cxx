@@ -24,7 +24,7 @@ std::mutex& oneAtATime()
   return mutex;
 }
 
-/// Converts a text of hidapi to UTF-8, whatever the program's locale.
+/// Converts a text of hidapi to UTF-8, regardless of the program's locale.
 std::string narrow(const wchar_t* text)
 {
   std::string bytes;

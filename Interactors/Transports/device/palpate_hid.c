@@ -44,7 +44,7 @@ uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size)
   return ~remainder;
 }
 
-/* Fields are little-endian, whatever the byte order of the processor. */
+/* Fields are little-endian, regardless of the byte order of the processor. */
 static void put32(uint8_t* to, uint32_t value)
 {
   for (int i = 0; i < 4; ++i)
