@@ -228,10 +228,9 @@ extern "C"
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
     double sample_time_out;    /* s without a reading until the device is lost; may be infinite */
-    double
-      delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
+    double delay; /* since version 2; largest sum of the delays of readings and forces, s */
     /*
-     * since version 4. maximum_torque is the largest torque about the tip, N m; it is 0 if the
+     * Since version 4. maximum_torque is the largest torque about the tip, N m; it is 0 if the
      * device outputs no torque. maximum_torsional_stiffness is the largest stiffness of a sampled
      * torsion spring, N m/rad; if it is 0, 0.5 is used.
      */
@@ -261,8 +260,8 @@ extern "C"
     int control_passivity;  /* nonzero: the device returns no more energy than was put in */
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
-    double delay;           /* since version 2. s, >= 0, of the device: for control_passivity */
-    double maximum_torque;  /* since version 4, as all below. N m; 0: no torque is sent */
+    double delay; /* since version 2; delay of the device, s, >= 0; for control_passivity */
+    double maximum_torque; /* since version 4, like the members below; N m; 0: no torque is sent */
     double maximum_torsional_stiffness; /* N m/rad; 0: 0.5 is used */
     double maximum_torque_rate;         /* N m/s; 0: no limit */
     double reserved[4];
@@ -305,7 +304,7 @@ extern "C"
     int valid;            /* 0: the device has no reading; the force is then zero */
     int fresh;            /* 0: no new reading, the last one is repeated */
     /*
-     * since version 4. orientation contains w, x, y, z of the unit quaternion that rotates the
+     * Since version 4. orientation contains w, x, y, z of the unit quaternion that rotates the
      * tool's own frame into the device frame. The z axis of the tool's frame is the shaft from tip
      * to hand. All components are zero if the orientation is unknown. angular_velocity is in rad/s,
      * or zero if unknown.
@@ -333,13 +332,13 @@ extern "C"
     int valid;          /* the sample was valid and finite */
     int clutched;       /* the tip does not move while the hand moves */
     /*
-     * since version 2. Time, s, for which device_force may be held if no tick follows; may be
+     * Since version 2. Time, s, for which device_force may be held if no tick follows; may be
      * infinite. A device that ends its force after this time returns no more energy than was put
      * in.
      */
     double hold_time;
     double
-      device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
+      device_torque[3]; /* since version 4; on the hand, about the tip, N m, frame of the device */
     double ideal_torque[3]; /* N mm, before the safety chain, frame of the body */
     double reserved[1];
   } palpate_full_tick;

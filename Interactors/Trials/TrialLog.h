@@ -54,7 +54,7 @@ struct TrialRecord
  * answers. If the disk has no space for a row, append returns an error, and the preceding rows are
  * unchanged.
  *
- * # palpate trial 1
+ *   # palpate trial 1
  *   # question: Which one pushes back more?
  *   # alternative A: sphere:6.35
  *   # intensity A: 1.25

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file Access to the devices of the module Transports, libpalpateTransports.so: HID devices and
- * devices driven by other programs. The first call that needs the module loads it. Therefore no
- * function of this file may be called from the servo tick.
+/** @file
+ * Access to the devices of the module Transports, libpalpateTransports.so: HID devices and devices
+ * driven by other programs. The first call that needs the module loads it. Therefore no function of
+ * this file may be called from the servo tick.
  */
 #ifndef palpate_DeviceTransports_h
 #define palpate_DeviceTransports_h

@@ -14,14 +14,15 @@ namespace palpate
 /**
  * The mechanics and electronics of a simulated device, in SI units. Each axis obeys independently
  *
- * m dv/dt = F + hand - b v - f_c sign v
+ *   m dv/dt = F + hand - b v - f_c sign v
  *
  * F is the last written force, which is constant until the next one (zero-order hold). At v = 0,
  * static friction balances a force of up to f_c. Both delays may be any fraction of a tick. A loop
  * is affected by the sum of the delays.
  *
  * With an inertia, the device outputs torque and turns. Let r be the rotation vector from the
- * tool's frame to the device frame. Each component of r obeys I d²r/dt² = M + hand - b_θ dr/dt.
+ * tool's frame to the device frame. Each component of r obeys
+ *   I d²r/dt² = M + hand - b_θ dr/dt.
  * This equation is valid for small |r|, such as tilts.
  */
 struct SimulatedPlant
@@ -43,7 +44,7 @@ struct SimulatedPlant
  * A hand on the device, modelled as a spring and a damper between the device and the hand's target
  * x_t. On each axis the force is
  *
- * hand = k (x_t - x) + b (v_t - v), limited to ± the maximum force.
+ *   hand = k (x_t - x) + b (v_t - v), limited to ± the maximum force.
  *
  * The defaults have the order of magnitude of a relaxed grip.
  */
