@@ -38,7 +38,7 @@ constexpr float MarkSize = 13.0F;
 constexpr float DepthWidth = 1.5F;
 constexpr Color DepthColor = { 0.45, 0.45, 0.48 };
 
-/// A table of deflection and force; with four columns, also the bounds of the force.
+/// Makes a table of deflection and force. Two further columns are the bounds of the force.
 template <std::size_t Columns>
 vtkSmartPointer<vtkTable> makeTable(const std::vector<std::array<double, Columns>>& rows)
 {

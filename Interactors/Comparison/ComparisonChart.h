@@ -27,14 +27,16 @@ public:
   ComparisonChart(const ComparisonChart&) = delete;
   ComparisonChart& operator=(const ComparisonChart&) = delete;
 
-  /// Adds the chart to a part of the window: left, bottom, right, top as fractions.
+  /// Adds the chart to a part of the window. `viewport` contains left, bottom, right and top as
+  /// fractions of the window.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
-  /// Draws the curves of a point, and a line at `deflection` (mm). Returns the error, or "".
+  /// Draws the curves of a point, and a line at `deflection` (mm). Returns "" or an error message.
   std::string drawCurves(
     vtkPolyData* body, vtkIdType point, const std::vector<ComparedTool>& tools, double deflection);
 
-  /// Moves the present point (mm, N); a `deflection` of 0 hides it.
+  /// Moves the marker of the present contact to a deflection (mm) and a force (N). If `deflection`
+  /// is 0, the marker is hidden.
   void mark(double deflection, double force);
 
   vtkResponseChart* chart();

@@ -36,7 +36,7 @@ namespace
 constexpr double PanelTop = 0.115;
 constexpr double ChartTop = 0.46;
 constexpr int TitleSize = 19;
-// The arrow's scale is unchanged while the force changes by less than this factor.
+// The scale of the arrow is unchanged while the force changes by less than this factor.
 constexpr double SameScale = 4.0;
 
 /// Returns the corner of a cell that is nearest to `place`.
@@ -79,7 +79,8 @@ ComparisonColumn::ComparisonColumn()
 {
   this->Renderer->UseFXAAOn();
   this->Scene->SetRenderer(this->Renderer);
-  // The bodies are compared, not the forces that a device can render.
+  // The applied force is hidden, because the bodies are compared, not the forces that a device can
+  // render.
   this->Scene->GetToolRepresentation()->SetAppliedForceVisibility(false);
   this->Scene->SetTrailVisibility(false);
   this->Map->SetVisibility(false);
@@ -91,7 +92,8 @@ ComparisonColumn::ComparisonColumn()
   this->Title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->Title->GetPositionCoordinate()->SetValue(0.02, 0.975);
   this->Renderer->AddViewProp(this->Title);
-  // The camera is shared with another body, which has other bounds.
+  // The clipping range is reset before each rendering, because the camera is shared with another
+  // body, which has other bounds.
   vtkNew<vtkCallbackCommand> fit;
   fit->SetCallback([](vtkObject* renderer, unsigned long, void*, void*)
     { static_cast<vtkRenderer*>(renderer)->ResetCameraClippingRange(); });

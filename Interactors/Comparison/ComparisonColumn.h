@@ -22,8 +22,8 @@ class vtkTextActor;
 namespace palpate
 {
 /// One of the compared bodies. The column shows from top to bottom: title, the body under the tool
-/// or its regime map, the curves of all tools at the contact, the verdict. Functions that return
-/// text return the error, or "".
+/// or its regime map, the curves of all tools at the contact, and the verdict. Functions that
+/// return text return "" or an error message.
 class ComparisonColumn
 {
 public:
@@ -32,11 +32,12 @@ public:
   ComparisonColumn(const ComparisonColumn&) = delete;
   ComparisonColumn& operator=(const ComparisonColumn&) = delete;
 
-  /// Assigns the column to the part of the window between two fractions of its width.
+  /// Assigns the column to the part of the window from `left` to `right`, as fractions of its
+  /// width.
   void addTo(vtkRenderWindow* window, double left, double right);
 
-  // The following functions set the body, tools and material. The verdict is computed when a
-  // contact or point is shown.
+  // The following functions set the body, the tools and the material. The verdict is computed when
+  // a contact or a point is shown.
   void setBody(vtkPolyData* body, const std::string& title);
   void setTools(const std::vector<ComparedTool>& tools);
   void setMaterial(const ComparedMaterial& material);
@@ -47,8 +48,8 @@ public:
   std::string showSession(vtkHapticSession* session);
   /// Shows curves and verdict at the point of the body that is nearest to `place`, mm.
   std::string showPlace(const double place[3]);
-  /// Colours the body by the displacement (`quantity` -1) or by a vtkRegimeMap::MapQuantity of the
-  /// shown tool.
+  /// Colours the body by the displacement if `quantity` is -1, otherwise by this
+  /// vtkRegimeMap::MapQuantity for the shown tool.
   std::string colorBy(int quantity);
 
   vtkPolyData* body();
@@ -70,7 +71,8 @@ private:
   ComparedMaterial Material;
   double Deflection = 1.0;
   std::size_t ShownTool = 0;
-  vtkIdType JudgedPoint = -1; ///< point of the statement; -1: none, or outdated
+  /// Point of the statement; -1 if there is no statement or it is outdated.
+  vtkIdType JudgedPoint = -1;
   RegimeStatement Statement;
   double ArrowForce = 0.0; ///< N, force to which the scale of the arrow is adapted
 

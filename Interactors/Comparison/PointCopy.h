@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Returns a body with one point, the data of this point, and the field data of `body`. Filters
-/// then compute only this point. The result has no cells.
+/// Returns a copy of the body that consists of one point without cells. The copy has the data of
+/// this point and the field data of `body`. Filters that run on the copy compute only this point.
 vtkSmartPointer<vtkPolyData> copyPoint(vtkPolyData* body, vtkIdType point);
 } // namespace palpate
 

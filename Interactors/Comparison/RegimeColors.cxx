@@ -11,17 +11,17 @@ namespace
 {
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
-// ColorBrewer's PuOr (Brewer and Harrower, colorbrewer2.org), seven classes.
+// The colours are PuOr of ColorBrewer (Brewer and Harrower, colorbrewer2.org), with seven classes.
 constexpr std::array<Color, 7> IndexColors = { { { 0.33, 0.15, 0.53 }, { 0.60, 0.56, 0.76 },
   { 0.85, 0.85, 0.92 }, { 0.97, 0.97, 0.97 }, { 1.00, 0.88, 0.71 }, { 0.95, 0.64, 0.25 },
   { 0.70, 0.35, 0.02 } } };
 
-// Cividis (Nuñez, Anderton and Renslow 2018), from its light end to its dark one.
+// The colours are Cividis (Nuñez, Anderton and Renslow 2018), from its light to its dark end.
 constexpr std::array<Color, 5> SensitivityColors = { { { 0.995, 0.909, 0.217 },
   { 0.737, 0.683, 0.431 }, { 0.487, 0.482, 0.470 }, { 0.259, 0.306, 0.424 },
   { 0.000, 0.135, 0.305 } } };
 
-/// Makes a colour map with the colours evenly spaced from `low` to `high`.
+/// Makes a colour map in which the colours are evenly spaced from `low` to `high`.
 template <std::size_t Count>
 vtkSmartPointer<vtkScalarsToColors> blend(
   const std::array<Color, Count>& colors, double low, double high)

@@ -26,10 +26,11 @@ namespace
 constexpr int Depths = 160; // number of depths between 0 and the range, denser near 0
 constexpr auto PointForceSuffices = static_cast<int>(RegimeVerdict::PointForceSuffices);
 
-/// The depths at which a point is evaluated, and the most cautious verdict of the tools so far.
+/// The depths at which a point is evaluated, and for each depth the most cautious verdict of the
+/// tools evaluated so far.
 struct DepthVerdicts
 {
-  std::vector<double> depths; ///< ascending
+  std::vector<double> depths; ///< depths in ascending order, mm
   std::vector<int> verdicts;
   std::size_t asked = 0; ///< index of the requested depth
 };
@@ -50,7 +51,7 @@ DepthVerdicts makeDepths(double range, double asked)
   return all;
 }
 
-/// Reads the material at the body's only point; returns the fault, or "".
+/// Reads the material at the body's only point. Returns the fault, or "" if there is none.
 std::string readPoint(vtkPolyData* one, BodyMaterial& material)
 {
   BodyMaterial::Values values;
@@ -122,7 +123,7 @@ double spreadOf(const std::vector<ToolRegime>& tools)
   return (largest - least) * static_cast<double>(tools.size()) / sum;
 }
 
-/// Computes the common results of all tools.
+/// Computes the results that are common to all tools.
 void summarize(const DepthVerdicts& all, RegimeStatement& statement)
 {
   const auto sameAs = [&](std::size_t i) { return all.verdicts[i] == all.verdicts[all.asked]; };

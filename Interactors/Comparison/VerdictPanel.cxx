@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double PatchShare = 0.02; // width of the patch, as a fraction of the panel's width
+constexpr double PatchShare = 0.02; // width of the colour patch, as a fraction of the panel's width
 constexpr int VerdictSize = 18;
 constexpr int NumbersSize = 16;
 constexpr int TermsSize = 14;

@@ -12,7 +12,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// A statement in words, next to a patch in the verdict's colour.
+/// Shows a statement in words next to a patch in the colour of the verdict.
 class VerdictPanel
 {
 public:
@@ -21,7 +21,8 @@ public:
   VerdictPanel(const VerdictPanel&) = delete;
   VerdictPanel& operator=(const VerdictPanel&) = delete;
 
-  /// Adds the panel to a part of the window: left, bottom, right, top as fractions.
+  /// Adds the panel to a part of the window. `viewport` contains left, bottom, right and top as
+  /// fractions of the window.
   void addTo(vtkRenderWindow* window, const double (&viewport)[4]);
 
   void show(const RegimeStatement& statement);

@@ -24,12 +24,12 @@
 
 namespace
 {
-// Offset of the centre of the area without title, legend and caption from the centre of the
-// picture, as fractions of half the picture's size.
+// Offset between the centre of the picture and the centre of the area that title, legend and
+// caption leave free, as fractions of half the picture's size.
 constexpr double LegendShare = 0.28;
 constexpr double CaptionShare = -0.10;
 constexpr double Zoom = 1.2;
-// Length of the longest arrow, mm, see vtkContactScene::SetLargestForce.
+// Length of the longest arrow, mm; see vtkContactScene::SetLargestForce.
 constexpr double ArrowRoom = 42.0;
 } // namespace
 
@@ -115,7 +115,7 @@ void vtkBodyComparison::SetShownTool(int tool)
     }
     if (this->Color != Displacement)
     {
-      this->SetColor(this->Color); // the maps show the shown tool
+      this->SetColor(this->Color); // the maps show the results for the shown tool
     }
     this->Modified();
   }
@@ -213,7 +213,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   {
     return;
   }
-  // Reserves space for the arrow of the largest force, even if there is no arrow now.
+  // Reserves space for the arrow of the largest force, even if no arrow is shown now.
   double unit[3] = { up[0], up[1], up[2] };
   vtkMath::Normalize(unit);
   for (const int side : { Left, Right })
@@ -241,7 +241,7 @@ void vtkBodyComparison::LookAtBodies(const double direction[3], const double up[
   camera->SetPosition(middle[0] + direction[0], middle[1] + direction[1], middle[2] + direction[2]);
   camera->SetViewUp(up);
   renderer->ResetCamera(bounds);
-  camera->Zoom(Zoom); // ResetCamera fits the sphere around the bodies
+  camera->Zoom(Zoom); // compensates ResetCamera, which fits the sphere around the bodies
   camera->SetWindowCenter(LegendShare, CaptionShare);
 }
 

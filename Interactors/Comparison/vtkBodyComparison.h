@@ -4,28 +4,29 @@
  * @brief two bodies side by side under the same tools and motion, to show whether the shape of the
  * tool has an effect
  *
- * The class illustrates Mahvash and Hayward (2002), section 2: on a body that deforms globally all
- * tools have the same force, on a body that deforms locally they do not.
+ * The class illustrates section 2 of Mahvash and Hayward (2002): on a body that deforms globally
+ * the forces of all tools are equal, on a body that deforms locally they differ.
  *
  * The inputs are a window, two bodies with responses of the same tools under the same names, and
- * the tools. Each half of the window shows three parts, from top to bottom. First, the body under
- * the shown tool (vtkContactScene). Second, force over deflection of all tools at the point of
- * contact (vtkResponseChart, dotted beyond validity), with the present point of the shown tool.
- * Third, the verdict in words: λ and tool sensitivity (vtkContactRegime) at Deflection, the spread
- * of the forces, the depths at which the verdict is the same, and the depth to which the responses
- * are valid. The verdict is the most cautious one of all tools. Both bodies share one camera. Axes
- * and force arrows have separate scales, because the forces may differ by a factor of a hundred.
+ * the tools. Each half of the window shows three parts, from top to bottom. The first part is the
+ * body under the shown tool (vtkContactScene). The second part is a chart of force over deflection
+ * for all tools at the point of contact (vtkResponseChart, dotted beyond validity), with a marker
+ * for the present contact of the shown tool. The third part is the verdict in words: λ and tool
+ * sensitivity (vtkContactRegime) at Deflection, the spread of the forces, the depths at which the
+ * verdict is the same, and the depth to which the responses are valid. The verdict is the most
+ * cautious one of all tools. Both bodies share one camera. Axes and force arrows have separate
+ * scales, because the forces may differ by a factor of a hundred.
  *
  * Both bodies have the same material (YoungsModulus, PoissonRatio). The point arrays
  * `GlobalCompliance` (mm/N) and `LayerThickness` (mm), if present, describe their support and
- * layers. Material and responses must agree; if they do not, a map reports an error that names a
- * point.
+ * layers. Material and responses must agree; if they do not agree, the map reports an error that
+ * names a point.
  *
- * ShowTips shows one tip in each of both scenes, from vtkToolContactProbe or a recording;
- * ShowSessions shows the newest tick of two sessions. Curves and verdict are updated when the
- * contact moves to another vertex; one update takes a few milliseconds. Color selects the colours
- * of the bodies: the displacement, or one of the maps of vtkRegimeMap. A map takes a few seconds
- * per million points when it is first shown.
+ * ShowTips shows one tip of vtkToolContactProbe or of a recording on each body. ShowSessions shows
+ * the newest ticks of two sessions. Curves and verdict are updated when the contact moves to
+ * another vertex; one update takes a few milliseconds. Color selects the colours of the bodies: the
+ * displacement, or one of the maps of vtkRegimeMap. The first display of a map takes a few seconds
+ * per million points.
  *
  * Errors are reported by vtkErrorMacro; the function then returns false.
  *
@@ -66,7 +67,7 @@ public:
   vtkTypeMacro(vtkBodyComparison, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The two bodies.
+  /// The sides of the window on which the two bodies are shown.
   enum BodySide
   {
     Left = 0,
@@ -81,22 +82,24 @@ public:
     RegimeVerdict = 3
   };
 
-  /** The window; the renderers are added. Call once. Laid out for 1280 x 960. */
+  /** The window, to which the renderers are added. Call once. The layout is designed for 1280 x 960
+   * pixels. */
   void SetRenderWindow(vtkRenderWindow* window);
 
-  /** Sets a body with the responses of all tools, and its name in the picture. */
+  /** Sets the body of a side and its title in the picture. The body must have the responses of all
+   * tools. */
   void SetBody(int side, vtkPolyData* body, const std::string& title);
   vtkPolyData* GetBody(int side);
 
   ///@{
-  /** Adds a tool; `responseName` is the prefix of its responses on both bodies. */
+  /** Adds a tool. `responseName` is the prefix of its response arrays on both bodies. */
   void AddTool(vtkContactTool* tool, const std::string& responseName);
   void RemoveAllTools();
   int GetNumberOfTools();
   ///@}
 
   ///@{
-  /** Number of the tool that touches the bodies, from 0. Default 0. */
+  /** Index of the tool that touches the bodies, from 0. Default 0. */
   void SetShownTool(int tool);
   vtkGetMacro(ShownTool, int);
   ///@}
@@ -110,7 +113,8 @@ public:
   ///@}
 
   ///@{
-  /** Depth of the verdict and upper end of the colours of the displacement, mm, > 0. Default 1. */
+  /** Depth for which the verdict is given, and upper end of the colours of the displacement, mm, >
+   * 0. Default 1. */
   void SetDeflection(double deflection);
   vtkGetMacro(Deflection, double);
   ///@}
@@ -122,25 +126,28 @@ public:
   ///@}
 
   ///@{
-  /** Shows a contact on both bodies: tip `index` of two outputs of vtkToolContactProbe or
-   * recordings; or the newest tick of two sessions. */
+  /** Shows a contact on both bodies. ShowTips shows the tip with index `index` of two outputs of
+   * vtkToolContactProbe or of two recordings. ShowSessions shows the newest ticks of two
+   * sessions. */
   bool ShowTips(vtkPolyData* left, vtkPolyData* right, vtkIdType index);
   bool ShowSessions(vtkHapticSession* left, vtkHapticSession* right);
   ///@}
 
-  /** Shows curves and verdicts at the points of the bodies nearest to (x, y, z), mm. */
+  /** Shows curves and verdicts at the vertex of each body that is nearest to (x, y, z), mm. */
   bool ShowPlace(double x, double y, double z);
 
-  /** Sets the camera so that it shows both bodies completely from `direction`; `up` points up. */
+  /** Sets the camera so that it shows both bodies completely from `direction`. `up` is the upward
+   * direction in the picture. */
   void LookAtBodies(const double direction[3], const double up[3]);
 
   ///@{
   /**
-   * The results at the last contact or point shown. For one tool: force (N), λ, sensitivity; NaN if
-   * nothing was shown yet. For all tools: the verdict (0 shape matters, 1 mixed, 2 a point force
-   * suffices; -1 if nothing was shown yet), (largest - smallest force)/mean, the depths (mm) from
-   * and to which the verdict is the same, the depth to which the responses are valid, and all of
-   * these in words.
+   * The results at the last contact or point that was shown. The results for one tool are force
+   * (N), λ and sensitivity; they are NaN before the first contact or point. The results for all
+   * tools are the verdict, the spread (largest force - smallest force)/mean, the depths (mm) from
+   * and to which the verdict is the same, and the depth to which the responses are valid. The
+   * verdict is 0 if shape matters, 1 if mixed, 2 if a point force suffices, and -1 before the first
+   * contact or point. The last function returns all results in words.
    */
   double GetForce(int side, int tool);
   double GetRegimeIndex(int side, int tool);
@@ -153,7 +160,7 @@ public:
   ///@}
 
   ///@{
-  /** The parts of the picture, for additions and changes of style. */
+  /** The parts of the picture. Use them for additions and changes of style. */
   vtkContactScene* GetScene(int side);
   vtkRenderer* GetRenderer(int side);
   vtkResponseChart* GetChart(int side);

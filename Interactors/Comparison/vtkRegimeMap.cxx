@@ -21,8 +21,9 @@
 namespace
 {
 constexpr int TextSize = 15;
-constexpr double MapLegendWidth = 175.0; // pixels, as the legend of a contact scene
-// Shift of the legend as a fraction of its width, if it shows names.
+// Width of the legend, pixels; equal to that of a contact scene.
+constexpr double MapLegendWidth = 175.0;
+// Shift of the legend to the left if it shows names, as a fraction of its width.
 constexpr double NamesShift = 0.6;
 
 struct QuantityLook
@@ -55,11 +56,12 @@ vtkRegimeMap::vtkRegimeMap()
   , Legend(vtkSmartPointer<vtkScalarBarActor>::New())
 {
   this->Mapper->SetScalarModeToUsePointFieldData();
-  this->Mapper->SetColorModeToMapScalars(); // verdicts are bytes, but not colours
+  // Verdicts are bytes, which would otherwise be used as colours.
+  this->Mapper->SetColorModeToMapScalars();
   this->Mapper->UseLookupTableScalarRangeOn();
-  this->Mapper->InterpolateScalarsBeforeMappingOn(); // sharp borders between the verdicts
+  this->Mapper->InterpolateScalarsBeforeMappingOn(); // makes the borders between the verdicts sharp
   this->Actor->SetMapper(this->Mapper);
-  // Little shading, so that colours can be compared with the legend.
+  // Weak shading, so that colours can be compared with the legend.
   this->Actor->GetProperty()->SetAmbient(0.55);
   this->Actor->GetProperty()->SetDiffuse(0.45);
   this->Actor->GetProperty()->SetSpecular(0.0);
@@ -115,7 +117,7 @@ void vtkRegimeMap::SetQuantity(int quantity)
   this->Legend->SetTitle(look.title);
   this->Legend->SetLabelFormat(look.format);
   this->Legend->SetNumberOfLabels(look.labels);
-  // The names of the verdicts replace the numbers.
+  // For the verdicts, the legend shows names instead of numbers.
   const bool names = this->Quantity == Verdict;
   this->Legend->SetDrawAnnotations(names);
   this->Legend->SetDrawTickLabels(!names);
@@ -129,10 +131,10 @@ void vtkRegimeMap::PlaceLegend()
 {
   if (this->Renderer)
   {
-    // The legend has the same size in pixels for any width of the viewport.
+    // The legend has the same size in pixels, regardless of the width of the viewport.
     const double share = std::min(
       1.0, MapLegendWidth / static_cast<double>(std::max(this->Renderer->GetSize()[0], 1)));
-    // The names are to the right of the bar; the shift to the left reserves space for them.
+    // The names are to the right of the bar. The shift to the left reserves space for the names.
     const double shift = this->Quantity == Verdict ? NamesShift : 0.0;
     this->Legend->GetPositionCoordinate()->SetValue(1.0 - (1.0 + shift) * share, 0.2);
     this->Legend->SetWidth(0.85 * share);

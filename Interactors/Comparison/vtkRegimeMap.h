@@ -4,19 +4,20 @@
  * @brief colours of a body that show where the shape of the tool has an effect, with a legend, in a
  * renderer
  *
- * The inputs are a renderer and the output of vtkContactRegime. One of its three arrays is drawn:
+ * The inputs are a renderer and the output of vtkContactRegime. One of the three arrays of this
+ * output is drawn:
  * - Index, λ: orange if the deformation is global (1), white if it is local (0), violet if a base
  *   close to the surface stiffens the body (-1 and below);
- * - Sensitivity, S = dlnF/dln(size): from yellow (0: a point force suffices) to dark blue (1.5 and
+ * - Sensitivity, S = dlnF/dln(size): from yellow (0, a point force suffices) to dark blue (1.5 and
  *   above);
  * - Verdict: blue, shape matters; orange, mixed; yellow, a point force suffices.
  *
  * Grey means that there is no stable contact. A colour represents the same number in every picture,
  * because the ranges do not depend on the data. The colours of sensitivity and verdicts differ in
- * lightness, so that they can be distinguished in grey and by colour-blind people. The index is in
- * violet and orange (ColorBrewer's PuOr).
+ * lightness, so that they can be distinguished without colours and by colour-blind people. The
+ * index is in violet and orange (ColorBrewer's PuOr).
  *
- * Cost: the arrays are uploaded once, and again when the quantity changes.
+ * The arrays are uploaded to the graphics card once, and again only when the quantity changes.
  *
  * @code{.py}
  * colours = palpate.vtkRegimeMap()
@@ -57,12 +58,12 @@ public:
     Verdict = 2
   };
 
-  /** The renderer; the body and its legend are added. Call once. */
+  /** The renderer, to which the body and its legend are added. Call once. */
   void SetRenderer(vtkRenderer* renderer);
 
   /**
-   * The body, with the arrays of vtkContactRegime. If an array is missing, reports an error that
-   * names it and returns false; the display is then unchanged.
+   * The body, with the arrays of vtkContactRegime. If an array is missing, SetBody reports an error
+   * that names the array, returns false and leaves the display unchanged.
    */
   bool SetBody(vtkPolyData* body);
 
@@ -82,7 +83,8 @@ public:
   ///@}
 
   ///@{
-  /** The parts of the display, for changes of style and place; the legend is at the right edge. */
+  /** The parts of the display. Use them to change style and position. The legend is at the right
+   * edge. */
   vtkActor* GetBodyActor();
   vtkScalarBarActor* GetLegend();
   ///@}

@@ -25,13 +25,13 @@ struct palpate_contact
 
 namespace palpate::c
 {
-/// Copies a reason to `error`, truncated to `size`.
+/// Copies a reason to the buffer `error`, truncated to `size` bytes.
 void report(const std::string& reason, char* error, std::size_t size);
-/// Reports a fault with the setting's name in C; returns whether there is a fault.
+/// Writes a fault to `error`, with the C name of the setting. Returns whether there is a fault.
 bool isRefused(const SettingFault& fault, char* error, std::size_t size);
 
-/// Reports nonzero members of `reserved` of the struct `name`: a later header has set them, or they
-/// are not initialised. Returns whether there are any.
+/// Reports nonzero elements of `reserved`, a member of the struct `name`. Such elements were set by
+/// a program with a later header, or were not initialised. Returns whether any element is nonzero.
 template <std::size_t N>
 bool isFromLater(const double (&reserved)[N], const char* name, char* error, std::size_t size)
 {

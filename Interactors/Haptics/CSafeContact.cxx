@@ -52,8 +52,8 @@ palpate::SafetySettings given(const palpate_safety& safety)
   return given;
 }
 
-/// The box of the surface that can be touched; empty (lower above upper) if there is no such
-/// surface.
+/// Returns the bounding box of the surface that can be touched. The box is empty (lower corner
+/// above upper corner) if there is no such surface.
 Eigen::AlignedBox3d boxOf(const palpate::PackedMesh& surface)
 {
   Eigen::AlignedBox3d box;
@@ -67,7 +67,7 @@ Eigen::AlignedBox3d boxOf(const palpate::PackedMesh& surface)
   return box;
 }
 
-/// The opaque palpate_scene of C.
+/// Converts a scene to the opaque palpate_scene of the C interface.
 palpate_scene* handleOf(std::unique_ptr<palpate::ServoScene> scene)
 {
   return reinterpret_cast<palpate_scene*>(scene.release());
@@ -78,7 +78,7 @@ std::unique_ptr<palpate::ServoScene> sceneOf(palpate_scene* handle)
   return std::unique_ptr<palpate::ServoScene>(reinterpret_cast<palpate::ServoScene*>(handle));
 }
 
-/// Makes a scene. Returns null on failure, with the reason in `error`.
+/// Creates a scene. Returns null on failure and writes the reason to `error`.
 std::unique_ptr<palpate::ServoScene> makeScene(const palpate_body* body,
   const palpate_settings* settings, double forceFactor, char* error, std::size_t size)
 {

@@ -43,13 +43,16 @@
 /* NOLINTBEGIN(modernize-*): this is C */
 #include <stddef.h>
 
-/* The version of this header. Later versions compare greater: major, minor, patch. */
+/*
+ * The version of this header. The major number is compared first, then the minor number, then the
+ * patch number.
+ */
 #define PALPATE_VERSION_MAJOR 0
 #define PALPATE_VERSION_MINOR 1
 #define PALPATE_VERSION_PATCH 0
 #define PALPATE_VERSION_STRING "0.1.0"
 
-/* The version of this header's interface: 1, 2, 3 ... */
+/* The version of this header's interface, an integer that starts at 1. */
 #define PALPATE_API_VERSION 4
 
 #ifdef __GNUC__
@@ -63,8 +66,8 @@ extern "C"
 {
 #endif
 
-  /* The version of the loaded library, "0.1.0", and its PALPATE_API_VERSION. A program may use
-   * all of its header if the library's number is not less than the header's number. */
+  /* The version of the loaded library ("0.1.0") and its PALPATE_API_VERSION. A program may use
+   * everything in its header if the version of the library is not below that of the header. */
   PALPATE_API const char* palpate_version(void);
   PALPATE_API int palpate_api_version(void);
 
@@ -73,7 +76,7 @@ extern "C"
   /* One tip on a body, and the history of its contact. */
   typedef struct palpate_contact palpate_contact;
 
-  /* State of the contact; values of palpate_tick.state. */
+  /* State of the contact, the value of palpate_tick.state. */
   enum palpate_state
   {
     PALPATE_NONE = 0,
@@ -85,7 +88,7 @@ extern "C"
     PALPATE_TILTED_TOO_FAR = 6 /* since 4: the force is that of the largest tilt of the response */
   };
 
-  /* The combination of the curves at a triangle's corners into one force. */
+  /* The method that combines the curves at a triangle's corners into one force. */
   enum palpate_force_form
   {
     PALPATE_PAPER = 0,
@@ -93,7 +96,7 @@ extern "C"
     PALPATE_ENERGY_CONSISTENT = 2
   };
 
-  /* The surface on which the tip is projected. */
+  /* The surface onto which the tip is projected. */
   enum palpate_contact_surface
   {
     PALPATE_FACETS = 0,
@@ -108,24 +111,29 @@ extern "C"
     PALPATE_SHAPE_DERIVED = 2
   };
 
-  /* The settings of a contact. Begin with palpate_settings_default. For forms, surfaces and models
-   * see ContactSettings.h and vtkToolContactProbe.h. */
+  /* The settings of a contact. Initialise the struct with palpate_settings_default. The forms,
+   * surfaces and models are described in ContactSettings.h and vtkToolContactProbe.h. */
   typedef struct palpate_settings
   {
     int force_form;      /* enum palpate_force_form */
     int contact_surface; /* enum palpate_contact_surface */
     int friction_model;  /* enum palpate_friction_model */
-    /* Coulomb's coefficient, finite and >= 0; 0, the default: no friction. */
+    /* Coulomb's coefficient of friction, finite and >= 0. The default 0 means no friction. */
     double friction_coefficient;
-    /* Tangential stiffness of a sticking contact, N/mm, finite and > 0. A loop of period T at a
-     * device of damping b is stable only up to 2b/T. Not used by PALPATE_SHAPE_DERIVED. */
+    /*
+     * Tangential stiffness of a sticking contact, N/mm, finite and > 0. A loop with the period T on
+     * a device with the damping b is stable only up to the stiffness 2b/T. Not used by
+     * PALPATE_SHAPE_DERIVED.
+     */
     double tangential_stiffness;
-    /* PALPATE_ELASTO_PLASTIC only: fraction of the sliding limit below which there is no creep,
-     * 0 to 1; and fraction at which half of a further displacement is creep, > 0 and not less
-     * than the first fraction. */
+    /*
+     * Used only by PALPATE_ELASTO_PLASTIC, as fractions of the sliding limit. Below
+     * friction_breakaway (0 to 1) there is no creep. At the second fraction (> 0 and not less than
+     * the first one) half of a further displacement is creep.
+     */
     double friction_breakaway;
     double friction_stick_radius;
-    /* Poisson's ratio of the body, 0 to 0.5. PALPATE_SHAPE_DERIVED only. */
+    /* Poisson's ratio of the body, 0 to 0.5. Used only by PALPATE_SHAPE_DERIVED. */
     double poisson_ratio;
     double reserved[8]; /* zero */
   } palpate_settings;
@@ -133,7 +141,7 @@ extern "C"
   /* The input and result of one step. */
   typedef struct palpate_tick
   {
-    double device_force[3];  /* on the hand, N, frame of the device: send this one */
+    double device_force[3];  /* force to send, on the hand, N, frame of the device */
     double tip[3];           /* mm, frame of the body, as all vectors below */
     double force[3];         /* N, on the tool, before the device's limit: normal and friction */
     double friction[3];      /* N, on the tool, tangential */
@@ -141,7 +149,7 @@ extern "C"
     double deflection;       /* mm */
     double normal[3];        /* unit, outward */
     double contact_point[3]; /* mm */
-    int triangle;            /* of the body, -1 for none */
+    int triangle;            /* index of the body's triangle; -1 without contact */
     int state;               /* enum palpate_state */
     double memory;           /* N, memory part of normal_force if the body relaxes (since 3) */
     double torque[3];        /* N mm, on the tool about its tip (since 4, as tilt) */
@@ -149,61 +157,66 @@ extern "C"
     double reserved[3];
   } palpate_tick;
 
-  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason
-   * to error (which may be null), truncated to error_size with its terminating zero. */
+  /* Loads a file written by `palpate --export`. On failure returns null and writes the reason to
+   * error. The reason is truncated to error_size bytes with its terminating zero. error may be
+   * null. */
   PALPATE_API palpate_body* palpate_body_load(const char* path, char* error, size_t error_size);
   PALPATE_API void palpate_body_free(palpate_body* body);
 
-  /* A contact with the body. Device axes are those of the body, 1 m is 1000 mm, and
-   * device_force is limited to maximum_force (N) in magnitude. Null if body is null or there is
-   * not enough memory. */
+  /* Creates a contact with the body. The device axes are those of the body, 1 m is 1000 mm, and the
+   * magnitude of device_force is limited to maximum_force (N). Returns null if body is null or
+   * there is not enough memory. */
   PALPATE_API palpate_contact* palpate_contact_new(const palpate_body* body, double maximum_force);
 
-  /* The default settings: those of palpate_contact_new. */
+  /* Sets the default settings, which are those of palpate_contact_new. */
   PALPATE_API void palpate_settings_default(palpate_settings* settings);
 
-  /* A contact with other settings (null: the default). Also null if a setting is out of its
-   * range; the reason, with its name, range and value, is written to error as in
-   * palpate_body_load.
-   */
+  /* Creates a contact with other settings (the defaults if settings is null). Also returns null if
+   * a setting is out of its range. Then the name of the setting, its range and its value are
+   * written to error as in palpate_body_load. */
   PALPATE_API palpate_contact* palpate_contact_new_with(const palpate_body* body,
     double maximum_force, const palpate_settings* settings, char* error, size_t error_size);
   PALPATE_API void palpate_contact_free(palpate_contact* contact);
 
-  /* Makes one tick at a position (m) and a time (s). The force is zero if the position is not
+  /* Computes one tick at a position (m) and a time (s). The force is zero if the position is not
    * finite. */
   PALPATE_API void palpate_step(
     palpate_contact* contact, const double position[3], double time, palpate_tick* tick);
 
-  /* Makes one tick with the tool's axis: from the tip to the hand, not normalised, in the frame
-   * of the device. Zero: unknown; the tool is then along the body's normal, as in palpate_step.
-   * The force is zero if the axis is not finite. (since 4) */
+  /* Computes one tick with the tool's axis. The axis is in the device frame, from the tip to the
+   * hand, and need not be normalised. A zero axis is unknown; the tool is then along the body's
+   * normal, as in palpate_step. The force is zero if the axis is not finite. (since 4) */
   PALPATE_API void palpate_step_pose(palpate_contact* contact, const double position[3],
     const double axis[3], double time, palpate_tick* tick);
 
-  /* Resets the contact: the next step starts without history. */
+  /* Resets the contact, so that the next step starts without history. */
   PALPATE_API void palpate_reset(palpate_contact* contact);
 
-  /* Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation.
-   * Forces keep their magnitude, so that a stiffness of the body is multiplied by scale for the
-   * hand. */
+  /* Mapping from the device to the body: x_body = rotation (1000 scale x_device) + translation. The
+   * magnitude of forces is unchanged, so that the stiffness at the hand is scale times the
+   * stiffness of the body. */
   typedef struct palpate_mapping
   {
     double rotation[9];    /* row by row; its columns are the axes of the device; orthonormal */
     double translation[3]; /* mm */
     double scale;          /* > 0 */
-    /* Not 0: the device has two axes, x and y, and moves in the plane that they span through
-     * translation. Only the component of a force in this plane acts on the hand. */
+    /*
+     * Nonzero for a planar device. Such a device has two axes, x and y, and moves in the plane that
+     * these axes span through translation. Only the component of a force in this plane acts on the
+     * hand.
+     */
     int planar;
     double reserved[4];
   } palpate_mapping;
 
-  /* The mapping of palpate_contact_new: device axes are those of the body, and 1 m is 1000 mm. */
+  /* Sets the mapping of palpate_contact_new: the device axes are those of the body, and 1 m is 1000
+   * mm. */
   PALPATE_API void palpate_mapping_default(palpate_mapping* mapping);
 
-  /* Sets translation and scale of a mapping and keeps its rotation: the smallest scale for
-   * which a workspace of these half extents (m) contains the body with a free margin (mm)
-   * around it. Returns 1, or 0 with the reason in error and the mapping unchanged. */
+  /* Sets translation and scale of a mapping and keeps its rotation. The scale is the smallest one
+   * for which the workspace contains the body with a free margin around it. workspace contains the
+   * half extents of the workspace, m. margin is in mm. Returns 1 on success. On failure returns 0,
+   * writes the reason to error and leaves the mapping unchanged. */
   PALPATE_API int palpate_mapping_fit(palpate_mapping* mapping, const palpate_body* body,
     const double workspace[3], double margin, char* error, size_t error_size);
 
@@ -215,45 +228,50 @@ extern "C"
     double maximum_force_rate; /* N/s, may be infinite */
     double rate;               /* Hz, of the loop */
     double sample_time_out;    /* s without a reading until the device is lost; may be infinite */
-    double
-      delay; /* since version 2. s: the largest sum of the delays of readings and forces; 0: none */
-    /* since version 4. maximum_torque: N m, about the tip; 0: the device outputs no torque.
-     * maximum_torsional_stiffness: N m/rad, of a sampled torsion spring; 0: 0.5 is used. */
+    double delay; /* since version 2; largest sum of the delays of readings and forces, s */
+    /*
+     * Since version 4. maximum_torque is the largest torque about the tip, N m; it is 0 if the
+     * device outputs no torque. maximum_torsional_stiffness is the largest stiffness of a sampled
+     * torsion spring, N m/rad; if it is 0, 0.5 is used.
+     */
     double maximum_torque;
     double maximum_torsional_stiffness;
     double reserved[1];
   } palpate_device;
 
-  /* The defaults: 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
+  /* Sets the default specification: 10 N, 1500 N/m, any force rate, 1000 Hz, 20 ms. */
   PALPATE_API void palpate_device_default(palpate_device* device);
 
-  /* The links that a force passes before it is sent, in this order. Begin with palpate_safety_of.
-   */
+  /* The links that a force passes before it is sent, in this order. Initialise the struct with
+   * palpate_safety_of. */
   typedef struct palpate_safety
   {
-    int gate;          /* not 0: no force until the tip has been outside once */
-    double entry_ramp; /* s, over which the force of the first touch rises from zero; 0: at once */
-    /* Factor of all forces, > 0 to 1. Use the same factor for all compared tools, so that the
-     * device's limits do not change the ratios of their forces. */
+    int gate;          /* nonzero: no force until the tip has been outside once */
+    double entry_ramp; /* s, rise time of the force of the first contact; 0: no ramp */
+    /*
+     * Factor by which all forces are multiplied, > 0 to 1. Compared tools must have the same
+     * factor, so that the device's limits do not change the ratios of their forces.
+     */
     double force_factor;
-    int cap_stiffness; /* not 0: no stiffer than maximum_stiffness */
+    int cap_stiffness; /* nonzero: the stiffness is limited to maximum_stiffness */
     double maximum_stiffness;
     double maximum_force_rate;
     double maximum_force;
-    int control_passivity;  /* not 0: the device returns no more energy than was put in */
+    int control_passivity;  /* nonzero: the device returns no more energy than was put in */
     double period;          /* s, > 0, of the loop */
     double sample_time_out; /* > 0 */
-    double delay;           /* since version 2. s, >= 0, of the device: for control_passivity */
-    double maximum_torque;  /* since version 4, as all below. N m; 0: no torque is sent */
+    double delay; /* since version 2; delay of the device, s, >= 0; for control_passivity */
+    double maximum_torque; /* since version 4, like the members below; N m; 0: no torque is sent */
     double maximum_torsional_stiffness; /* N m/rad; 0: 0.5 is used */
     double maximum_torque_rate;         /* N m/s; 0: no limit */
     double reserved[4];
   } palpate_safety;
 
-  /* All links, with the limits of a device (null: the default). */
+  /* Sets all links active, with the limits of a device (the default device if device is null). */
   PALPATE_API void palpate_safety_of(const palpate_device* device, palpate_safety* safety);
 
-  /* The links that changed the force between palpate_full_tick.ideal_force and the force sent. */
+  /* The links of the safety chain; palpate_full_tick.acted reports which links changed the force
+   * between palpate_full_tick.ideal_force and the force sent. */
   enum palpate_safety_link
   {
     PALPATE_NOT_FINITE = 1,
@@ -268,11 +286,11 @@ extern "C"
     PALPATE_STOPPED = 512
   };
 
-  /* A contact with mapping (null: the default), safety and settings (null: the default). While
-   * a button of clutch_buttons is pressed, the tip does not move and the hand moves freely; 0:
-   * no clutch. The contact shares the ownership of its body, so that the caller may free the
-   * body earlier. Null with the reason in error if a number is out of its range or there is not
-   * enough memory. */
+  /* Creates a contact with mapping, safety and settings; each of them may be null for its default.
+   * clutch_buttons is a mask: while one of these buttons is pressed, the tip does not move and the
+   * hand moves freely. With 0 there is no clutch. The contact shares the ownership of its body, so
+   * that the caller may free the body earlier. Returns null if a number is out of its range or
+   * there is not enough memory, and writes the reason to error. */
   PALPATE_API palpate_contact* palpate_contact_new_safe(const palpate_body* body,
     const palpate_mapping* mapping, const palpate_safety* safety, const palpate_settings* settings,
     unsigned int clutch_buttons, char* error, size_t error_size);
@@ -285,15 +303,18 @@ extern "C"
     unsigned int buttons; /* bit i: button i is pressed */
     int valid;            /* 0: the device has no reading; the force is then zero */
     int fresh;            /* 0: no new reading, the last one is repeated */
-    /* since version 4. w, x, y, z of the unit quaternion that rotates the tool's own frame into
-     * the device's frame; z of the tool's frame is the shaft from tip to hand; zeros: unknown.
-     * angular_velocity: rad/s, or zeros. */
+    /*
+     * Since version 4. orientation contains w, x, y, z of the unit quaternion that rotates the
+     * tool's own frame into the device frame. The z axis of the tool's frame is the shaft from tip
+     * to hand. All components are zero if the orientation is unknown. angular_velocity is in rad/s,
+     * or zero if unknown.
+     */
     double orientation[4];
     double angular_velocity[3];
     double reserved[1];
   } palpate_sample;
 
-  /* Sets all members to zero, but valid and fresh to 1. */
+  /* Sets valid and fresh to 1 and all other members to zero. */
   PALPATE_API void palpate_sample_default(palpate_sample* sample);
 
   /* The input and result of one step of a contact with mapping and safety. */
@@ -310,49 +331,52 @@ extern "C"
     unsigned int acted; /* sum of enum palpate_safety_link */
     int valid;          /* the sample was valid and finite */
     int clutched;       /* the tip does not move while the hand moves */
-    /* since version 2. s: how long device_force may be held if no tick follows. A device that
-     * ends its force after this time returns no more energy than was put in. May be infinite. */
+    /*
+     * Since version 2. Time, s, for which device_force may be held if no tick follows; may be
+     * infinite. A device that ends its force after this time returns no more energy than was put
+     * in.
+     */
     double hold_time;
     double
-      device_torque[3]; /* since version 4. N m, on the hand about the tip, frame of the device */
+      device_torque[3]; /* since version 4; on the hand, about the tip, N m, frame of the device */
     double ideal_torque[3]; /* N mm, before the safety chain, frame of the body */
     double reserved[1];
   } palpate_full_tick;
 
-  /* Makes one tick of any contact with the whole sample of a device. For the loop, as
-   * palpate_step; time must increase. palpate_step is this function with a valid, fresh sample
-   * without velocity and buttons. */
+  /* For the loop: computes one tick of any contact with a complete sample of a device. As for
+   * palpate_step, time must increase. palpate_step is equivalent to this function with a valid,
+   * fresh sample without velocity and buttons. */
   PALPATE_API void palpate_step_sample(
     palpate_contact* contact, const palpate_sample* sample, double time, palpate_full_tick* tick);
 
-  /* For the loop: prefetches the memory that the next step reads if the hand continues its
-   * motion. To be called after the force is sent, before the wait for the next tick; optional.
-   * Changes nothing, takes 50 ns to a few microseconds. Without it a step on a new part of a
-   * large body is a third slower. */
+  /* For the loop: prefetches the memory that the next step reads if the hand continues its motion.
+   * Optional; to be called after the force is sent and before the loop waits for the next tick. It
+   * changes no result and takes 50 ns to a few microseconds. Without this call a step on a new part
+   * of a large body takes a third longer. */
   PALPATE_API void palpate_foresee(const palpate_contact* contact);
 
-  /* For the loop: ends the force from the next step until palpate_start. */
+  /* For the loop: ends the force from the next step until palpate_start is called. */
   PALPATE_API void palpate_stop(palpate_contact* contact);
   PALPATE_API void palpate_start(palpate_contact* contact);
 
   /* Another body, tool or material, or other settings, for a contact that may be touching. */
   typedef struct palpate_scene palpate_scene;
 
-  /* Makes a scene, which shares the ownership of its body. force_factor (> 0 to 1) belongs to
-   * the scene and applies in addition to palpate_safety.force_factor. Null with the reason in
-   * error. */
+  /* Creates a scene, which shares the ownership of its body. force_factor (> 0 to 1) belongs to the
+   * scene and applies in addition to palpate_safety.force_factor. On failure returns null and
+   * writes the reason to error. */
   PALPATE_API palpate_scene* palpate_scene_new(const palpate_body* body,
     const palpate_settings* settings, double force_factor, char* error, size_t error_size);
   /* Frees a scene that was not passed to a contact, or all scenes that palpate_take_retired
    * returned. */
   PALPATE_API void palpate_scene_free(palpate_scene* scene);
 
-  /* For the loop: passes a scene (null: no effect) to the contact, whose force changes to that
-   * of the scene within 50 ms, without a jump. A scene passed during a change waits; if several
-   * wait, the newest is used. */
+  /* For the loop: passes a scene to the contact. The force of the contact changes to that of the
+   * scene within 50 ms, without a jump. A scene that is passed during a change waits; if several
+   * scenes wait, only the newest is used. A null scene has no effect. */
   PALPATE_API void palpate_change(palpate_contact* contact, palpate_scene* scene);
-  /* For the loop: the scenes that the contact no longer needs, or null. Free them outside the
-   * loop, all at once by palpate_scene_free; scenes that are not taken are freed with the
+  /* For the loop: returns the scenes that the contact no longer needs, or null. Free them outside
+   * the loop by one call of palpate_scene_free. Scenes that are not taken are freed with the
    * contact. */
   PALPATE_API palpate_scene* palpate_take_retired(palpate_contact* contact);
 

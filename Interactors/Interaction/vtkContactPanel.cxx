@@ -23,7 +23,7 @@ namespace
 using palpate::PanelButton;
 using palpate::PanelSlider;
 
-constexpr float Priority = 1.0F; // the panel is called first among the observers of a frame
+constexpr float Priority = 1.0F; // the panel is the first observer that is called in a frame
 } // namespace
 
 struct vtkContactPanel::Parts
@@ -212,7 +212,7 @@ void vtkContactPanel::Update()
   {
     return;
   }
-  // While a slider is held, the force scales stay fixed, so that the change of the force is
+  // The force scales do not change while a slider is held, so that the change of the force is
   // visible.
   const bool isNew = kept.controls->update();
   if (isNew &&

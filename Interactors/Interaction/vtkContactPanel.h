@@ -5,22 +5,22 @@
  *
  * Fills its own renderer, a strip of the window, with controls for: the tools and the size of the
  * chosen one, Young's modulus, Poisson's ratio, friction, the model of the body, the exaggeration
- * of the dent, the comparison of tools, charts, the session, record and picture. (It is a live
- * version of Mahvash and Hayward 2002, figure 9.) The controls are vtkSliderWidgets and
+ * of the dent, the comparison of tools, the charts, the session, records and pictures. The panel is
+ * a live version of figure 9 of Mahvash and Hayward (2002). The controls are vtkSliderWidgets and
  * vtkButtonWidgets.
  *
- * Set a renderer of a window with an interactor; a setup; the style that has session, scene and
- * files; the clock; and the charts, if there are any. Then call On. At each frame of the clock, the
- * panel requests new responses from the setup if a setting was changed by the panel or by a
- * program. It passes finished responses to session, scene and charts, and shows the present
- * settings. The window never waits for responses: the old ones are used and shown until the new
- * ones are ready.
+ * Before the call of On, set a renderer of a window with an interactor, a setup, a style with
+ * session, scene and files, a clock and, optionally, charts. At each frame of the clock, the panel
+ * requests new responses from the setup if a setting was changed by the panel or by a program. It
+ * passes finished responses to session, scene and charts, and shows the present settings. The
+ * window never waits for responses: the old responses are used and shown until the new ones are
+ * ready.
  *
- * All functions of the panel are available without it, as methods of vtkContactSetup (tool, size,
- * material, model), vtkHapticSession (friction, start and stop), vtkContactScene (exaggeration),
- * vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and vtkInteractorStyleHaptic
- * (help). Controls that the body or the setup does not support are left out. With Model Stored only
- * the display can be changed.
+ * All functions of the panel are also available without the panel, as methods of vtkContactSetup
+ * (tool, size, material, model), vtkHapticSession (friction, start and stop), vtkContactScene
+ * (exaggeration), vtkLiveCharts (comparison), vtkSessionFiles (record, picture) and
+ * vtkInteractorStyleHaptic (help). Controls that the body or the setup does not support are
+ * omitted. With Model Stored only the display can be changed.
  *
  * @code{.py}
  * panel = palpate.vtkContactPanel()
@@ -61,17 +61,18 @@ public:
 
   /**
    * The renderer of the strip. The panel sets its background, but not its camera. The strip should
-   * be about 256 pixels wide and 700 pixels high. In a smaller strip the panel is drawn smaller.
+   * be about 256 pixels wide and 700 pixels high. In a smaller strip the panel is reduced in size.
    */
   void SetRenderer(vtkRenderer* renderer);
   /** The setup. Call Update of the setup before On, because the panel needs its output. */
   void SetSetup(vtkContactSetup* setup);
-  /** The style, which must have session, scene and interactor. The buttons Record and Picture also
-   * need its files. */
+  /** The interactor style. It must have session, scene and interactor. The buttons Record and
+   * Picture also need its files. */
   void SetStyle(vtkInteractorStyleHaptic* style);
-  /** The clock. The panel is updated at each of its frames. Without a clock, call Update. */
+  /** The clock. The panel is updated at each frame of the clock. Without a clock, the program must
+   * call Update. */
   void SetClock(vtkFrameClock* clock);
-  /** Optional: the charts. The controls Compare, Charts and Timing need them. */
+  /** The charts (optional). The controls Compare, Charts and Timing need them. */
   void SetCharts(vtkLiveCharts* charts);
 
   ///@{
@@ -84,33 +85,34 @@ public:
   void Update();
 
   /**
-   * Chooses the tool with index `tool` (from 0) of the setup, in session, scene and charts. No
-   * effect if there is no such tool.
+   * Makes the tool with the index `tool` of the setup (from 0) the tool of session, scene and
+   * charts. No effect if there is no such tool.
    */
   void ChooseTool(int tool);
 
   ///@{
-  /** Whether the charts compare all tools at the contact, instead of showing the three curves of
-   * the triangle. Default off. Key c. */
+  /** Whether the charts compare all tools at the contact, instead of showing the curves of the
+   * triangle's three corners. Default off. The key c toggles it. */
   void SetCompare(bool compare);
   bool GetCompare();
   ///@}
   ///@{
-  /** Whether the charts are shown. Default on. Key g. */
+  /** Whether the charts are shown. Default on. The key g toggles it. */
   void SetChartsVisibility(bool visible);
   bool GetChartsVisibility();
   ///@}
 
   ///@{
   /**
-   * Finds the position in the window, in pixels from its lower left corner, of the button with this
-   * label, or of the handle of the slider with this name at `value` (mm, degrees, MPa, 1). Returns
-   * false if there is no such control. For tests and demonstrations.
+   * Returns the position of a control in the window, in pixels from the lower left corner.
+   * FindButton finds the button with this label. FindHandle finds the handle of the slider with
+   * this name at `value` (mm, degrees, MPa or 1). Both return false if there is no such control.
+   * For tests and demonstrations.
    */
   bool FindButton(const std::string& label, int position[2]);
   bool FindSlider(const std::string& name, double value, int position[2]);
   ///@}
-  /** Returns the last line of the panel: the work in progress, or the error. */
+  /** Returns the last line of the panel: a text about the work in progress, or the error. */
   std::string GetStatus();
 
 protected:

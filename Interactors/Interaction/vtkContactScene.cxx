@@ -205,7 +205,7 @@ void vtkContactScene::SwitchTrail()
   this->Trail->actor()->SetVisibility(visible);
   this->Legends->explainGaps(visible ? this->Trail->gapsInWords() : std::string());
   this->Legends->force()->SetVisibility(visible);
-  constexpr std::size_t segments = 40; // of the trail, for labels
+  constexpr std::size_t segments = 40; // number of segments of the trail that labels avoid
   this->Hands->leaveFree(
     visible ? this->Trail->segments(segments) : std::vector<palpate::LabelObstacle>());
 }
@@ -278,7 +278,7 @@ void vtkContactScene::ShowBlind(const palpate::ShownContact& contact)
   this->Caption->describeNothing();
   this->Hands->hideCircles();
   palpate::ShownContact unseen = contact;
-  unseen.cell = -1; // no cell: the dent is not drawn
+  unseen.cell = -1; // without a cell the dent is not drawn
   this->Body->show(unseen);
 }
 
@@ -322,7 +322,7 @@ void vtkContactScene::LookAtBody(const double direction[3], const double up[3])
   vtkBoundingBox all(bounds);
   if (!this->Blind)
   {
-    this->Hands->addBounds(all); // includes the arrows, so that all of them are in the picture
+    this->Hands->addBounds(all); // the arrows are included, so that all of them are visible
   }
   all.GetBounds(bounds);
   palpate::lookAtBounds(this->Renderer, bounds, { Eigen::Vector3d(direction), Eigen::Vector3d(up) },

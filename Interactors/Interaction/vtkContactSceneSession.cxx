@@ -23,10 +23,10 @@
 
 namespace
 {
-// Priority among the observers of a frame. The scene is called last.
+// Priority among the observers of a frame. The scene is the last observer that is called.
 constexpr float LastPriority = -1.0F;
 constexpr double PassedSeconds = 2.0; // longest time between two pictures that the trail bridges, s
-constexpr double RemarkSeconds = 3.0; // how long a picture says that its scale has changed, s
+constexpr double RemarkSeconds = 3.0; // time for which a picture says that its scale has changed, s
 
 std::string joinedLines(const std::string& first, const std::string& second)
 {

@@ -166,8 +166,8 @@ bool vtkContactSetup::ApplyTo(vtkHapticSession* session)
     vtkErrorMacro(<< "A session and responses are required: call Update.");
     return false;
   }
-  // SetBody is called again for a stopped session. Otherwise the session would make the kernels at
-  // its start.
+  // The body is set again for a stopped session, because the session would otherwise make the
+  // kernels at its start.
   if (session->GetBody() != this->Kept->output || session->GetState() == vtkHapticSession::Stopped)
   {
     session->SetBody(this->Kept->output, this->Kept->made.kernels);

@@ -4,20 +4,21 @@
  * @brief body, tools, material and model of a contact, and the responses for them
  *
  * Set tools, a body without responses, and the material of the body. Update makes the responses of
- * all tools, each under its own prefix: `Response` for the first, then `Response2`, `Response3`...
- * GetOutput is the body with the responses. GetTool and GetResponseName give the tool and the
- * prefix of each. ApplyTo passes them to a session, running or not; ShowIn passes them to a scene.
+ * all tools. The array names of each response have their own prefix: `Response` for the first tool,
+ * then `Response2`, `Response3`... GetOutput is the body with the responses. GetTool and
+ * GetResponseName return the tools and the prefixes. ApplyTo passes the responses to a session,
+ * which may be running; ShowIn passes them to a scene.
  *
  * Making responses takes about a second for a few hundred thousand points. A live session must not
- * wait for that. So Request makes the responses, and the kernels for the session, on another
+ * wait so long. Therefore Request makes the responses, and the kernels for the session, on another
  * thread. Of several requests only the newest is processed. Collect, called once per frame, takes
  * over the finished responses. Until then, and after an error, output, session and scene do not
  * change.
  *
  * A change of Young's modulus scales the responses within 50 ms, unless other moduli of the body
- * stay the same. A change of Poisson's ratio of a HalfSpace scales the forces as fast. Errors and
- * validities are then computed in the background: IsBusy is true, and a second Collect takes them
- * over.
+ * stay the same. A change of Poisson's ratio of a HalfSpace scales the forces equally fast. Errors
+ * and validities are then computed in the background; meanwhile IsBusy returns true, and a second
+ * Collect takes them over.
  *
  * Lengths in mm, moduli in MPa. The body is not modified. Do not change its points and cells in
  * place after SetBody; call SetBody again after a change. Only one thread, the graphics thread, may
@@ -66,11 +67,11 @@ public:
   enum ModelType
   {
     HalfSpace = 0,
-    /// A layer: its thickness (mm) is the property LayerThickness or the array of that name; below
-    /// it are the layers of AddLayer, if any, and LayerBase.
+    /// One or more layers. The thickness of the first layer (mm) is the property LayerThickness or
+    /// the array of that name. Further layers are those of AddLayer. Their base is LayerBase.
     Layer = 1,
     Series = 2, ///< local deflection in series with the array GlobalCompliance (mm/N)
-    Stored = 3  ///< the responses that the body already has are used unchanged
+    Stored = 3  ///< the responses that the body already has, used unchanged
   };
 
   ///@{
@@ -82,14 +83,14 @@ public:
   ///@}
 
   ///@{
-  /** The tools. A change of a tool counts as a change of the setup. With Stored, the tools are only
-   * drawn, since the responses are given. */
+  /** The tools. A change of a tool counts as a change of the setup. With the model Stored, the
+   * tools are only drawn, because the responses are given. */
   void AddTool(vtkContactTool* tool);
   void RemoveAllTools();
   int GetNumberOfTools();
-  /** Returns the tool with this index; null if there is none. */
+  /** Returns the tool with this index, or null if there is none. */
   vtkContactTool* GetTool(int tool);
-  /** Prefix of the response arrays of a tool. */
+  /** Prefix of the names of the response arrays of a tool. */
   std::string GetResponseName(int tool);
   ///@}
 
@@ -107,7 +108,8 @@ public:
   ///@}
   ///@{
   /**
-   * Poisson's ratio, 0 to 0.5. Default 0.45. The compliance of Series does not change with it.
+   * Poisson's ratio, 0 to 0.5. Default 0.45. The compliance of the model Series does not change
+   * with Poisson's ratio.
    */
   vtkSetMacro(PoissonRatio, double);
   vtkGetMacro(PoissonRatio, double);
@@ -128,8 +130,8 @@ public:
   bool HasModel(int model);
   ///@{
   /**
-   * Thickness of the layer, mm, the same at all points. Default 0: the array LayerThickness gives
-   * it.
+   * Thickness of the layer, mm, equal at all points. With 0, the default, the array LayerThickness
+   * gives the thickness.
    */
   vtkSetMacro(LayerThickness, double);
   vtkGetMacro(LayerThickness, double);
@@ -137,17 +139,17 @@ public:
   ///@{
   /** Layers below the first layer, for the model Layer, as in vtkToolContactResponse. Only the
    * first of these layers may have the thickness 0; its thickness is then given by the point array
-   * LayerThickness1. With added layers, LayerThickness 0 means the array LayerThickness0. Default
-   * none. */
+   * LayerThickness1. If there are added layers and LayerThickness is 0, the array LayerThickness0
+   * gives the thickness of the first layer. Default none. */
   void AddLayer(double thickness, double youngsModulus, double poissonRatio, bool slips = false);
   void ClearLayers();
   int GetNumberOfAddedLayers();
   ///@}
   ///@{
-  /** The base of the layers, as LayerBase of vtkToolContactResponse: 0 bonded to a rigid base
-   * (default), 1 slipping on a rigid base, 2 an elastic half-space with BaseYoungsModulus (MPa,
-   * default 1) and BasePoissonRatio (default 0.45). BaseSlips: whether the layers slip on the
-   * half-space. */
+  /** The base of the layers, as LayerBase of vtkToolContactResponse. With 0, the default, the
+   * layers are bonded to a rigid base; with 1 they slip on a rigid base. With 2 the base is an
+   * elastic half-space with BaseYoungsModulus (MPa, default 1) and BasePoissonRatio (default 0.45);
+   * BaseSlips is whether the layers slip on it. */
   vtkSetClampMacro(LayerBase, int, 0, 2);
   vtkGetMacro(LayerBase, int);
   vtkSetMacro(BaseYoungsModulus, double);
@@ -160,7 +162,7 @@ public:
   ///@}
   ///@{
   /** Young's modulus (MPa) for which GlobalCompliance and the global modes of the body were
-   * computed. They are scaled to the present modulus. Default 0: they are not scaled. */
+   * computed. They are scaled to the present modulus. With 0, the default, they are not scaled. */
   vtkSetMacro(ComplianceModulus, double);
   vtkGetMacro(ComplianceModulus, double);
   ///@}
@@ -178,7 +180,7 @@ public:
   vtkBooleanMacro(EdgeCorrection, bool);
   ///@}
   ///@{
-  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. Default 0: tools are
+  /** Largest tilt of the tools, degrees; see vtkToolContactResponse. With 0, the default, tools are
    * upright. */
   vtkSetMacro(MaximumTilt, double);
   vtkGetMacro(MaximumTilt, double);
@@ -191,9 +193,10 @@ public:
   vtkBooleanMacro(Coupling, bool);
   ///@}
   ///@{
-  /** Relaxation of the body: up to four branches of strength and time (s); see
+  /** Relaxation of the body by up to four branches, each with a strength and a time (s); see
    * vtkToolContactResponse. A branch of strength 0 has no effect. Default: no branches.
-   * ComplianceRelaxes: whether the global compliance of Series relaxes, too. Default on. */
+   * ComplianceRelaxes is whether the global compliance of the model Series also relaxes; default
+   * on. */
   void AddRelaxation(double strength, double seconds)
   {
     this->Relaxations.add(strength, seconds);
@@ -234,14 +237,15 @@ public:
   vtkGetMacro(StrainExponent, double);
   ///@}
   ///@{
-  /** The estimated relative error of the force up to which the responses are valid. 0: the error is
-   * not estimated, and the responses are valid until the first assumption fails. Default 0.05. */
+  /** The estimated relative error of the force up to which the responses are valid. With 0 the
+   * error is not estimated, and the responses are valid until the first assumption fails. Default
+   * 0.05. */
   vtkSetMacro(ErrorTolerance, double);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
   ///@{
-  /** Whether the law includes only those terms that change the forces by more than Tolerance (if
-   * that is 0: by more than 1 %); see vtkToolContactResponse. Default off. */
+  /** Whether the law includes only those terms that change the forces by more than Tolerance, or by
+   * more than 1 % if Tolerance is 0; see vtkToolContactResponse. Default off. */
   vtkSetMacro(AutomaticTerms, bool);
   vtkGetMacro(AutomaticTerms, bool);
   vtkBooleanMacro(AutomaticTerms, bool);
@@ -249,21 +253,22 @@ public:
 
   ///@{
   /** Largest relative error of the force of a simpler form of the response. A session uses the
-   * simplest form within this error instead of a curve per point (vtkResponseChoice). Default 0:
-   * sessions use the responses unchanged. The output always has the full responses. */
+   * simplest form within this error instead of a curve per point (vtkResponseChoice). With 0, the
+   * default, sessions use the responses unchanged. The output always has the full responses. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
   ///@{
-  /** Deflection for which the form is chosen, mm. Used if Tolerance is not 0. Default 0: half of
-   * MaximumDeflection. */
+  /** Deflection for which the form is chosen, mm. Used if Tolerance is not 0. With 0, the default,
+   * half of MaximumDeflection is used. */
   vtkSetMacro(ChoiceDeflection, double);
   vtkGetMacro(ChoiceDeflection, double);
   ///@}
 
   /**
-   * Makes the responses on the calling thread and with its priority. ProgressEvent reports the
-   * completed fraction (double). Returns false after an error; the output is then unchanged.
+   * Makes the responses on the calling thread and with the priority of this thread. ProgressEvent
+   * reports the completed fraction (double). Returns false after an error; the output is then
+   * unchanged.
    */
   bool Update();
   /** Makes the responses in the background, with a lower priority. Does nothing if responses for
@@ -271,42 +276,43 @@ public:
   void Request();
   /** Whether requested responses are still being made. */
   bool IsBusy();
-  /** Completed fraction of the requested work, 0 to 1; 1 if no request is pending. */
+  /** Completed fraction of the requested work, 0 to 1. It is 1 if no request is pending. */
   double GetProgress();
-  /** While the requested responses are not ready: a sentence about the forces that are still shown,
-   * "Computing: still the force of E = 35 kPa"; "" otherwise. */
+  /** Returns a sentence about the forces that are still shown while the requested responses are not
+   * ready: "Computing: still the force of E = 35 kPa". Returns "" if no request is pending. */
   std::string GetPendingText();
   /** Withdraws the request. Young's modulus, Poisson's ratio, model, relaxations and the sizes of
    * the tools return to the values for which the output was made. No effect if no request is
    * pending. */
   void Cancel();
   /** Takes over the requested responses if they are ready. Never waits. Returns true if responses
-   * were taken over: once per request, but twice after a change of Poisson's ratio of a HalfSpace.
-   * Returns false, after an error, if the responses could not be made. */
+   * were taken over. This happens once per request, but twice after a change of Poisson's ratio of
+   * a HalfSpace. Returns false, after an error, if the responses could not be made. */
   bool Collect();
-  /** The error of the newest request; "" after a success. */
+  /** The error of the newest request; "" if the request succeeded. */
   vtkGetMacro(Error, std::string);
 
   /**
-   * The body with the responses; null before the first Update or Collect. Each Update or Collect
-   * makes a new object.
+   * The body with the responses. It is null before the first Update or Collect. Each Update or
+   * Collect makes a new object.
    */
   vtkPolyData* GetOutput();
-  /** The tool for which the response with this index was made; null before the first Update or
-   * Collect. */
+  /** The tool for which the response with this index was made. It is null before the first Update
+   * or Collect. */
   vtkContactTool* GetOutputTool(int tool);
 
-  /** A sentence that gives the form of a tool's response that sessions use, and the reason; "" if
-   * Tolerance is 0, and before the first Update or Collect. */
+  /** Returns a sentence about the form of a tool's response that sessions use, with the reason.
+   * Returns "" if Tolerance is 0, and before the first Update or Collect. */
   std::string GetChoice(int tool);
 
-  /** Largest force of any tool of the output at any point, at MaximumDeflection, N; 0 before the
-   * first Update or Collect. */
+  /** Largest force, N, over all tools of the output and all points, at MaximumDeflection. It is 0
+   * before the first Update or Collect. */
   double GetLargestForce();
 
   ///@{
   /** Contact settings for each session that is passed to ApplyTo. ApplyTo sets the Poisson's ratio
-   * of the settings to that of the responses. Default null: each session keeps its own settings. */
+   * of the settings to that of the responses. If null, the default, each session keeps its own
+   * settings. */
   virtual void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
@@ -315,7 +321,8 @@ public:
    * there are any, to a session. Applies the changes if the session runs. Returns false after
    * an error. */
   bool ApplyTo(vtkHapticSession* session);
-  /** Passes the output to a scene, with the chosen tool as it was when its response was made. */
+  /** Passes the output to a scene, with the chosen tool in the state in which its response was
+   * made. */
   void ShowIn(vtkContactScene* scene);
 
   vtkMTimeType GetMTime() override;

@@ -176,7 +176,7 @@ bool vtkContactSetup::TakeOver(palpate::MadeResponses&& made)
   kept.made = std::move(made);
   kept.output = withAddedArrays(kept.body, kept.made);
   kept.made.body = nullptr;
-  // Cancel() returns to the settings of the last complete result.
+  // Cancel() restores the settings of the last complete result.
   kept.shown = kept.made.isPreliminary ? kept.shown : kept.asked;
   return true;
 }
@@ -281,7 +281,7 @@ void vtkContactSetup::Cancel()
   palpate::ResponseRequest present;
   if (!this->MakeRequest(present) || !palpate::areEqual(kept.made.of, present))
   {
-    kept.requested = 0; // a setting that Cancel does not restore has changed, too
+    kept.requested = 0; // a setting has changed that Cancel does not restore
   }
 }
 

@@ -37,7 +37,7 @@ void vtkFrameClock::Start()
     this->Observer =
       this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &vtkFrameClock::Tick);
     this->Timer = this->Interactor->CreateRepeatingTimer(TimerPeriod);
-    this->Interactor->EnableRenderOff(); // frames are drawn only by the timer
+    this->Interactor->EnableRenderOff(); // only the timer draws frames
   }
 }
 

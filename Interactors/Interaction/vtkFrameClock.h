@@ -6,7 +6,7 @@
  * Set an interactor and call Start. A repeating timer of the interactor makes up to 30 frames per
  * second. Each frame invokes FrameEvent and then renders. Scene, charts and panel update themselves
  * on FrameEvent. Changes by mouse, wheel and widgets are drawn with the next frame, so that no
- * event waits for a rendering. If frames take long, at least half of the time remains for mouse
+ * event waits for a rendering. If the frames are slow, at least half of the time remains for mouse
  * events.
  *
  * Observers with a higher priority are called first: vtkContactPanel, which changes the scene, has
@@ -56,7 +56,7 @@ public:
   void Stop();
   ///@}
 
-  /** Makes one frame immediately, as the timer would. */
+  /** Shows one frame immediately, as the timer does. */
   void ShowFrame();
 
 protected:

@@ -28,10 +28,10 @@ struct vtkHapticDevice::Parts
 {
   palpate::SessionDevice chosen;
 
-  // The mapping that was set at the last Start of the session.
+  // The mapping that was prepared at the last Start of the session.
   palpate::WorkspaceMapping mapping;
   std::shared_ptr<palpate::HapticDevice> hand;
-  palpate::SimulatedDevice* steered = nullptr; ///< the simulated hand, if it is steered; else null
+  palpate::SimulatedDevice* steered = nullptr; ///< the simulated hand if it is steered, else null
   double pathDuration = 0.0;                   ///< s
   double rate = 1000.0;                        ///< Hz
   double simulatedForce = 10.0;                ///< N
@@ -45,8 +45,8 @@ struct vtkHapticDevice::Parts
     }
     return specification;
   }
-  /// Makes a simulated hand that follows a path or starts at a point. The hand is either stiff or a
-  /// plant that is held by a hand.
+  /// Makes a simulated device that follows a path or starts at a point. The device is either a
+  /// stiff hand or a plant that is held by a hand.
   template <class Way>
   std::shared_ptr<palpate::SimulatedDevice> makeSimulated(Way way) const
   {

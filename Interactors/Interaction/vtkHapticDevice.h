@@ -6,30 +6,31 @@
  * Lengths in mm and forces in N, in the body's frame. The device itself uses SI units; the
  * workspace mapping converts them.
  *
- * Devices, by Open:
- * - "simulated" (default): a stiff hand that does not move with the force. In virtual time it
- *   follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse. Its
- *   maximum force is SimulatedForce. Neither stiffness nor energy is limited, because the force
+ * The devices that Open accepts are:
+ * - "simulated" (default): a stiff hand whose motion does not depend on the force. In virtual time
+ *   it follows SetPath; with the session's RealTime it follows SteerTo, for example from a mouse.
+ *   Its maximum force is SimulatedForce. Neither stiffness nor energy is limited, because the force
  *   does not act on the motion.
  * - "plant:mass=0.1,damping=1,stiffness=300": a simulated device that moves with the force: m dv/dt
  *   = F + hand - b v. It has the mass m (kg, default 0.1) and the viscous damping b (N s/m, default
- *   1). A hand of stiffness k (N/m, default 300) and hand-damping (N s/m, default 5) pulls it
- *   towards the path, or towards the target of SteerTo. The force acts on the motion, so that
- *   stiffness cap and passivity control work as on a real device with this damping: no spring above
- *   b/(T + 2 delays), where T is one over the session's Rate. Its maximum force is 10 N. Further
- *   settings: friction (N), encoder-step (m), force-delay and sample-delay (s), hand-force (N), see
- *   palpate::readPlant. Settings that are not given, and all settings of "plant" alone, have their
- *   defaults.
+ *   1). A hand with a stiffness (N/m, default 300) and a hand-damping (N s/m, default 5) pulls the
+ *   device towards the path, or towards the target of SteerTo. The force acts on the motion, so
+ *   that stiffness cap and passivity control work as on a real device with this damping. They limit
+ *   springs to b/(T + 2t), where T is the inverse of the session's Rate and t the sum of the
+ *   delays. The maximum force is 10 N. Further settings are friction (N), encoder-step (m),
+ *   force-delay and sample-delay (s), and hand-force (N); see palpate::readPlant. Settings that are
+ *   not given, and all settings of "plant" alone, have their defaults.
  * - "replay:FILE": the hand of a recorded trajectory.
  * - "hid:PATH": a device with Palpate's force protocol, or a SpaceMouse; needs RealTime.
  * - "bridge:ADDRESS": another process that uses the same reports, "unix:/PATH" or "udp:PORT"; needs
  *   RealTime.
  *
- * C++ code may pass its own device (Use).
+ * C++ code may pass a device of its own (Use).
  *
  * The mapping consists of: the device's origin in the body's frame (Origin); the directions of the
- * device's x axis (Right) and y axis (Up) in the body's frame; and the mm of the body per mm of the
- * hand (Scale). The stiffness at the hand is the stiffness of the body times the scale.
+ * device's x axis (Right) and y axis (Up) in the body's frame; and the length in the body per
+ * length of the hand (Scale). The stiffness at the hand is the stiffness of the body times the
+ * scale.
  *
  * Settings take effect at the session's next Start. A device serves one session at a time, on that
  * session's thread.
@@ -70,11 +71,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Chooses the device (see the description of the class) and opens it. Returns false, after an
-   * error, if there is no device of this name. The present device is then unchanged.
+   * Chooses the device (see the description of the class) and opens it. Returns false and reports
+   * an error if there is no device of this name; the present device is then unchanged.
    */
   bool Open(const std::string& name);
-  /** Lists the devices that are plugged in, one per line, or the reason why there are none. */
+  /** Lists the devices that are plugged in, one per line. If there are none, returns the reason. */
   static std::string ListDevices();
 
   /** Returns the status in words, such as "connected" or "unplugged, waiting for it to return". */
@@ -90,7 +91,7 @@ public:
   /** Whether the device follows SetPath, or SteerTo with RealTime. True for "simulated" and
    * "plant". */
   bool IsSimulated();
-  /** Whether it plays a recorded trajectory, "replay:FILE". */
+  /** Whether the device replays a recorded trajectory, "replay:FILE". */
   bool IsReplay();
 
   ///@{
@@ -99,8 +100,8 @@ public:
   vtkGetVector3Macro(Origin, double);
   ///@}
   ///@{
-  /** Directions of the device's x and y axes in the body's frame, perpendicular to each other, of
-   * any length. Default x and y. */
+  /** Directions of the device's x and y axes in the body's frame. They must be perpendicular to
+   * each other and need not have unit length. Defaults: x and y. */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   vtkSetVector3Macro(Up, double);
@@ -127,8 +128,8 @@ public:
   ///@}
   ///@{
   /**
-   * Maximum force of the device "simulated", N, > 0. Infinite: no limit, for a device without force
-   * feedback, such as a mouse. Default 10.
+   * Maximum force of the device "simulated", N, > 0. Infinite for a device without force feedback,
+   * such as a mouse. Default 10.
    */
   vtkSetMacro(SimulatedForce, double);
   vtkGetMacro(SimulatedForce, double);
@@ -136,48 +137,51 @@ public:
   ///@{
   /**
    * Bit mask of buttons. While one of these buttons is pressed, the tip does not move and the hand
-   * moves freely. Default 0: no button.
+   * moves freely. With 0, the default, there is no such button.
    */
   vtkSetMacro(ClutchButtons, unsigned int);
   vtkGetMacro(ClutchButtons, unsigned int);
   ///@}
 
-  /** Path of a simulated device in virtual time: a polyline with the point array `Time` (s, not
-   * decreasing). For a tilted tool it also has the point array `ToolAxis` (3 numbers, from the tip
-   * to the hand). */
+  /** Path of a simulated device in virtual time. It is a polyline with the point array `Time` (s,
+   * not decreasing). For a tilted tool it also has the point array `ToolAxis` (3 components, from
+   * the tip to the hand). */
   void SetPath(vtkPolyData* path);
   /**
-   * Time of the last point of the path that is in use since Start, s; 0 before Start and without a
-   * path.
+   * Time of the last point of the path that has been in use since Start, s. 0 before Start and
+   * without a path.
    */
   double GetPathDuration();
-  /** Target of the hand of a simulated device with RealTime, mm. The hand moves to it on a straight
-   * line, also through the body. Before Start this is the starting point of the hand. */
+  /** Target of the hand of a simulated device with RealTime, mm. The hand moves to the target on a
+   * straight line, even through the body. Before Start this is the starting point of the hand. */
   void SteerTo(const double tip[3]);
   /**
-   * Moves the hand of a simulated device with RealTime to the height `height` (mm) above a point of
-   * the body's surface with the outward unit normal `normal`. At a negative height it presses.
-   * Unlike SteerTo, the hand does not pass through the body: it lifts off, moves around the body
-   * and comes down. It slides if both places are pressed and close to each other. The depth never
-   * exceeds the given depth (palpate::GuidedHand). Before Start this is the starting place. A
-   * planar device moves on a straight line.
+   * Moves the hand of a simulated device with RealTime to a position above a point of the body's
+   * surface. `normal` is the outward unit normal at the point. `height` is the height above the
+   * point, mm; at a negative height the hand presses. Unlike with SteerTo, the hand does not pass
+   * through the body: it rises, moves around the body and descends. It slides over the surface if
+   * it presses at both points and the points are close to each other. The depth never exceeds the
+   * given depth (palpate::GuidedHand). Before Start this is the starting position. A planar device
+   * moves on a straight line.
    */
   void TouchAt(const double point[3], const double normal[3], double height);
   /**
-   * Axis of the tool of a simulated device with RealTime: from the tip to the hand, in the body's
-   * frame, of any length. Zero (default): the axis is unknown, and the tool is along the normal.
+   * Axis of the tool of a simulated device with RealTime. It points from the tip to the hand, in
+   * the body's frame, and need not have unit length. If it is zero, the default, the axis is
+   * unknown, and the tool is along the normal.
    */
   void TurnTo(const double axis[3]);
 
 #ifndef __VTK_WRAP__
-  /** The setups of a replayed file, by its times from its first row on; empty for other devices. */
+  /** The setups of a replayed file. Times are relative to the first row of the file. Empty for
+   * other devices. */
   const palpate::RecordedSetups& GetRecordedSetups();
 
-  /** Uses a device given by the caller. */
+  /** Uses a device that the caller provides. */
   void Use(std::unique_ptr<palpate::HapticDevice> device);
 
-  /** Called by the session at its start. Reads mapping and path, and makes the hand, for a body
-   * with these bounds (mm), at `rate` (Hz). Returns "" or an error message. */
+  /** Called by the session at its start. Reads mapping and path, and makes the hand for a body with
+   * these bounds (mm). `rate` is in Hz. Returns "" or an error message. */
   std::string Prepare(const std::shared_ptr<const palpate::ContactBody>& body,
     const double bounds[6], bool realTime, double rate);
   /** Called by the session when it changes to another body, which is not null. */
@@ -185,7 +189,7 @@ public:
   /** Discards the results of Prepare. Called if the session does not start, or before it starts
    * again. */
   void Release();
-  /** The hand made by Prepare; null before Prepare. */
+  /** The hand that Prepare made; null before Prepare. */
   std::shared_ptr<palpate::HapticDevice> GetHand() const;
   const palpate::WorkspaceMapping& GetMapping() const;
   /** Whether the hand moves independently of the force. */

@@ -5,10 +5,10 @@
  *
  * In virtual time all ticks are stored. On the servo thread, ticks wait in a buffer until they are
  * read. They are read at each query of the session, for example once per frame. Ticks that wait for
- * more than RecordedSeconds are lost, and their number is counted. HistorySeconds stores only the
- * last ticks, for charts of a session of unlimited length.
+ * more than RecordedSeconds are lost, and the lost ticks are counted. If HistorySeconds is set,
+ * only the last ticks are stored, for charts of a session of unlimited length.
  *
- * Settings are read at the session's Start. Results are those of the run since Start; they are
+ * Settings are read at the session's Start. The results are those of the run since Start. They are
  * empty before Start, and are lost when the session is deleted. Only the session's thread may use
  * the recorder.
  *
@@ -61,7 +61,7 @@ public:
   vtkBooleanMacro(Recording, bool);
   ///@}
   ///@{
-  /** With RealTime: longest time for which ticks wait to be read, s, 0.1 to 100. A tick needs 600
+  /** Longest time for which ticks wait to be read with RealTime, s, 0.1 to 100. A tick needs 600
    * bytes. Default 5. */
   vtkSetClampMacro(RecordedSeconds, double, 0.1, 100.0);
   vtkGetMacro(RecordedSeconds, double);
@@ -69,7 +69,8 @@ public:
   ///@{
   /**
    * Length of the history for GetHistory, s, 0 to 100. A tick needs 600 bytes. With RealTime, ticks
-   * wait to be read for at most this long if nothing else is recorded. Default 0: no history.
+   * wait to be read for at most this long if nothing else is recorded. With 0, the default, there
+   * is no history.
    */
   vtkSetClampMacro(HistorySeconds, double, 0.0, 100.0);
   vtkGetMacro(HistorySeconds, double);
@@ -83,45 +84,47 @@ public:
    */
   void GetRecording(vtkPolyData* recording);
   /**
-   * The recording of one of several devices, given by its index. Empty for an invalid index. The
+   * The recording of the device with the index `device`. It is empty for an invalid index. The
    * history, and all results without a device index, are those of the first device.
    */
   void GetRecording(vtkPolyData* recording, int device);
-  /** As GetRecording, but for the history: the ticks of the last HistorySeconds before the newest
-   * tick. */
+  /** Does the same as GetRecording for the history, which contains the ticks of the last
+   * HistorySeconds before the newest tick. */
   void GetHistory(vtkPolyData* history);
 
-  /** Number of ticks missed since Start; 0 in virtual time. */
+  /** Number of ticks missed since Start. 0 in virtual time. */
   vtkIdType GetNumberOfMissedTicks();
   /** Number of ticks since Start that were not read in time. Neither the recording nor the history
    * contains them. */
   vtkIdType GetNumberOfLostTicks();
 
   /**
-   * One row: ticks, ticks in contact, peak force, applied force and friction (N), peak deflection
-   * (mm), the memory part of the peak force (N), median and 99th percentile of the duration of a
-   * tick (ns, wall clock, different in each run). With RealTime also: ticks missed, samples invalid
-   * and repeated, forces refused, ticks not recorded, scene changes, and the device's own errors.
+   * Writes one row with these columns: ticks, ticks in contact, peak force, applied force and
+   * friction (N), peak deflection (mm), the memory part of the peak force (N), median and 99th
+   * percentile of the duration of a tick (ns, wall clock, different in each run). With RealTime,
+   * further columns are: ticks missed, samples invalid and repeated, forces refused, ticks not
+   * recorded, scene changes, and the device's own errors.
    */
   void GetStatistics(vtkTable* statistics);
-  /** The same row for one of several devices. Contacts and peaks are those of the device; times and
-   * errors are those of all devices. */
+  /** Writes the row for the device with the index `device`. Contacts and peaks are those of this
+   * device; times and errors are those of all devices. */
   void GetStatistics(vtkTable* statistics, int device);
-  /** With RealTime: statistics and timing as lines of text. Empty in virtual time. */
+  /** With RealTime, statistics and timing as lines of text. Empty in virtual time. */
   std::string GetStatisticsText();
   /**
-   * With RealTime: a table with the columns Share, Period, WakeUp and Tick (us, wall clock). Share
+   * With RealTime, a table with the columns Share, Period, WakeUp and Tick (us, wall clock). Share
    * is a fraction of the ticks. The other columns give the time that this fraction does not exceed,
-   * with a resolution of 1/32. The last row, Share 1, is the worst case. Empty in virtual time.
+   * with a resolution of 1/32. The last row, with Share 1, is the worst case. Empty in virtual
+   * time.
    */
   void GetTiming(vtkTable* timing);
-  /** With RealTime: histograms of Period, WakeUp and Tick. Each row is a class of durations, longer
-   * than `From (us)` and up to `To (us)`. The two limits differ by at most 1/32. The rows extend
-   * from the first to the last class that contains a tick. Counts are double. Empty in virtual
-   * time. */
+  /** With RealTime, histograms of Period, WakeUp and Tick. Each row is a class of durations that
+   * are longer than `From (us)` and at most `To (us)`. The two limits differ by at most 1/32. The
+   * rows extend from the first to the last class that contains a tick. The counts have the type
+   * double. Empty in virtual time. */
   void GetTimingHistogram(vtkTable* histogram);
-  /** With RealTime: the scheduling that the system permits for the servo thread, and the reason if
-   * a better scheduling was refused. */
+  /** With RealTime, a text about the scheduling that the system grants to the servo thread, with
+   * the reason if a better scheduling was refused. */
   std::string GetRealTimeGrant();
 
 #ifndef __VTK_WRAP__
@@ -130,15 +133,16 @@ public:
   const std::vector<palpate::Tick>& GetTicks(int device);
   /** The ticks of the last HistorySeconds, with their numbers. */
   const palpate::TickHistory& GetLastTicks();
-  /** The tape, which records the ticks of a part of the session, also across several runs. */
+  /** The tape, which records the ticks of a part of the session. A part may extend over several
+   * runs. */
   const std::shared_ptr<palpate::TickTape>& GetTape();
 
-  /** The setups of the run since Start; if no ticks are recorded, only the newest. */
+  /** The setups of the run since Start. If no ticks are recorded, only the newest setup. */
   const palpate::RecordedSetups& GetSetups() const;
-  /** Called by a session that uses another setup from a time (s) on. */
+  /** Called by a session that uses another setup from `time` (s) on. */
   void AddSetup(double time, const palpate::RecordedSetup& setup);
 
-  /** Called by a session that starts; null: no run. */
+  /** Called by a session that starts. If `run` is null, there is no run. */
   void Follow(const std::shared_ptr<palpate::SessionRun>& run);
 #endif
 

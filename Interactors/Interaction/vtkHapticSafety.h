@@ -9,10 +9,11 @@
  *
  * FitForce scales all forces by one factor. With this factor none of the compared responses exceeds
  * the device's maximum force and stiffness at any vertex down to FitDepth. The ratios of the forces
- * are unchanged. A limit, in contrast, would make all large forces equal.
+ * are unchanged, whereas a limit would make all large forces equal.
  *
- * The properties are read at the session's Start; those of the fit also at ApplyChanges. Start and
- * ApplyChanges fail with an error if a number is out of its range. Not thread-safe.
+ * The properties are read at the session's Start; the properties of the fit are also read at
+ * ApplyChanges. Start and ApplyChanges fail with an error if a number is out of its range. Not
+ * thread-safe.
  *
  * @code{.py}
  * safety = palpate.vtkHapticSafety()
@@ -60,8 +61,8 @@ public:
   ///@{
   /**
    * Whether stiffness cap and passivity control act. They act only where the device's specification
-   * requires them. Default on. Passivity control does not act for the stiff hand of "simulated" and
-   * "replay:FILE".
+   * requires them. Passivity control does not act on the stiff hand of "simulated" and
+   * "replay:FILE". Default on.
    */
   vtkSetMacro(StiffnessCap, bool);
   vtkGetMacro(StiffnessCap, bool);
@@ -83,7 +84,7 @@ public:
   ///@{
   /**
    * Largest torque (N m) and torsional stiffness (N m/rad), for a device that outputs torque about
-   * the tip. Default infinite. With a TorqueLimit of 0 only the force is sent.
+   * the tip. Default infinite. If TorqueLimit is 0, only the force is sent.
    */
   vtkSetMacro(TorqueLimit, double);
   vtkGetMacro(TorqueLimit, double);
@@ -105,7 +106,8 @@ public:
   ///@}
   ///@{
   /**
-   * Prefixes of further responses to compare, in addition to the session's own. Default none.
+   * Prefixes of further responses that are compared, in addition to the session's own response.
+   * Default none.
    */
   void AddFitResponse(const std::string& responseName);
   void ClearFitResponses();
@@ -117,7 +119,7 @@ public:
     return this->FitResponses;
   }
   /**
-   * Returns the settings of the safety chain for a device. `isStiff`: whether the hand of the
+   * Returns the settings of the safety chain for a device. `isStiff` is whether the hand of the
    * device moves independently of the force.
    */
   palpate::SafetySettings GetSettings(

@@ -204,7 +204,7 @@ void vtkHapticSession::GetForce(double force[3])
 
 void vtkHapticSession::GetForce(int device, double force[3])
 {
-  // A stopped session exerts no force, whatever the force of the last tick was.
+  // A stopped session exerts no force, regardless of the force of the last tick.
   std::fill_n(force, 3, 0.0);
   if (this->GetState(device) == Running)
   {
@@ -311,7 +311,7 @@ void vtkHapticSession::GetTorque(double torque[3])
 
 void vtkHapticSession::GetTorque(int device, double torque[3])
 {
-  std::fill_n(torque, 3, 0.0); // zero if the session does not run, as in GetForce
+  std::fill_n(torque, 3, 0.0); // zero if the session does not run; see GetForce
   if (this->GetState(device) == Running)
   {
     std::copy_n(this->Newest(device).appliedTorque.data(), 3, torque);

@@ -8,7 +8,7 @@
  * machine: the same steps give the same bits. With RealTime, Start starts the servo thread at Rate.
  * Step then has no effect, and the getters return the newest tick.
  *
- * The parts of a session are separate objects, never null. They may be exchanged while the session
+ * The parts of a session are separate objects, never null. They may be replaced while the session
  * is stopped:
  * - GetDevice: the device, its mapping to the body, the path of the hand;
  * - GetSettings: the settings of the contact;
@@ -16,27 +16,27 @@
  * - GetRecorder: the recorded ticks, and their timing.
  *
  * Lengths in mm and forces in N, in the body's frame. There are two forces: the ideal force of the
- * contact, and the applied force. The safety chain makes the applied force from the ideal force, to
- * fit it to the device (force factor, stiffness cap, limits, passivity). GetSafetyText names the
- * links that acted.
+ * contact, and the applied force. The safety chain computes the applied force from the ideal force,
+ * to adapt it to the device (force factor, stiffness cap, limits, passivity). GetSafetyText names
+ * the links that acted.
  *
- * ApplyChanges passes another body, response or settings to a running session, also during contact:
- * the force changes to its new value within 50 ms.
+ * ApplyChanges passes another body, response or settings to a running session, even during contact.
+ * The force changes to its new value within 50 ms.
  *
  * If a device is lost, the session continues with no force, in the state DeviceLost, until the
  * device returns.
  *
- * AddDevice puts further devices on the same body, up to four in total. Each has its own mapping
- * and safety chain. One loop computes the ticks of all devices at the same times. If the response
- * of the body has a coupling (vtkToolContactResponse), the tools affect one another through the
- * deflection of the surface; a lost device has no effect on the others. Devices are numbered from
- * 0; number 0 is the device of GetDevice. For an invalid index, getters return the values before
- * the first tick.
+ * AddDevice adds further devices that touch the same body, up to four devices in total. Each has
+ * its own mapping and safety chain. One loop computes the ticks of all devices at the same times.
+ * If the response of the body has a coupling (vtkToolContactResponse), the tools affect one another
+ * through the deflection of the surface. A lost device has no effect on the other devices. Devices
+ * are numbered from 0; number 0 is the device of GetDevice. For an invalid index, getters return
+ * the values before the first tick.
  *
  * Defects of the body's mesh are reported in one warning, as by vtkToolContactProbe.
  *
- * Not thread-safe: one thread steers, steps and reads. It waits for the servo thread only in Stop
- * and Start.
+ * Not thread-safe: one thread must call all functions. This thread waits for the servo thread only
+ * in Stop and Start.
  *
  * @code{.py}
  * session = palpate.vtkHapticSession()
@@ -87,7 +87,7 @@ public:
   {
     Stopped = 0,
     Running = 1,
-    DeviceLost = 2 ///< running without force: the device reports no position
+    DeviceLost = 2 ///< running without force, because the device reports no position
   };
 
   ///@{
@@ -100,7 +100,7 @@ public:
   /**
    * Sets the body, and the kernels that Start and ApplyChanges would otherwise make from its
    * responses. If the kernels are made in the background, Start and ApplyChanges take no time for
-   * them. The kernels are valid for one Start, and until the body is changed.
+   * them. The kernels are valid for one Start, and only until the body is changed.
    */
   void SetBody(vtkPolyData* body, palpate::BodyKernels kernels);
 #endif
@@ -114,26 +114,26 @@ public:
   ///@{
   /**
    * The settings of the contact. Other sessions may share them. Read at Start and ApplyChanges,
-   * which fail with an error if a value is out of its range. Null sets a separate object with the
-   * default values, which is also the default.
+   * which fail with an error if a value is out of its range. Null sets a new object with the
+   * default values, which is also the initial state.
    */
   void SetSettings(vtkContactSettings* settings);
   vtkContactSettings* GetSettings();
   ///@}
   ///@{
   /**
-   * The device. Read at Start, except for the target of a simulated hand. Null sets a separate
-   * "simulated" device, which is also the default.
+   * The device. Read at Start, except for the target of a simulated hand. Null sets a new
+   * "simulated" device, which is also the initial state.
    */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
   ///@{
   /**
-   * Adds a device, with a name as in vtkHapticDevice::Open. It takes part after the next Start.
-   * Returns its index, or -1 after an error. Path, mapping and steering of the device are set on
-   * GetDevice(index), which is null for an invalid index. RemoveAddedDevices keeps only the first
-   * device.
+   * Adds a device, with a name as in vtkHapticDevice::Open. The device is used after the next
+   * Start. Returns the index of the device, or -1 after an error. Path, mapping and steering of the
+   * device are set on GetDevice(index), which is null for an invalid index. RemoveAddedDevices
+   * keeps only the first device.
    */
   int AddDevice(const std::string& name);
   void RemoveAddedDevices();
@@ -145,24 +145,24 @@ public:
   ///@}
   ///@{
   /**
-   * The safety chain. Read at Start; the fit of the force also at ApplyChanges. Null sets a
-   * separate object, which is also the default.
+   * The safety chain. Read at Start; the fit of the force is also read at ApplyChanges. Null sets a
+   * new object, which is also the initial state.
    */
   void SetSafety(vtkHapticSafety* safety);
   vtkHapticSafety* GetSafety();
   ///@}
   ///@{
-  /** The recorder of the ticks. Read at Start. Null sets a separate object, which is also the
-   * default. */
+  /** The recorder of the ticks. Read at Start. Null sets a new object, which is also the initial
+   * state. */
   void SetRecorder(vtkHapticRecorder* recorder);
   vtkHapticRecorder* GetRecorder();
   ///@}
 
   ///@{
   /**
-   * Name of the body, such as its file, and its material in words, for records: a trajectory file
-   * names them, and a replay compares them. vtkContactSetup sets the material, "E = 0.05 MPa, nu =
-   * 0.45". Default "": not known.
+   * Name of the body, such as its file name, and its material in words. Trajectory files contain
+   * both, and a replay compares them. vtkContactSetup sets the material, for example "E = 0.05 MPa,
+   * nu = 0.45". The default "" means unknown.
    */
   vtkSetMacro(BodyName, std::string);
   vtkGetMacro(BodyName, std::string);
@@ -185,10 +185,10 @@ public:
 
   ///@{
   /**
-   * With RealTime: time before each tick at which the servo thread wakes up and computes the
+   * With RealTime, the time before each tick at which the servo thread wakes up and computes the
    * contact in advance (rehearsal), s, 0 to half a period; see ServoLoopSettings. Rehearsal
    * shortens the delay from the sample to the force, but each tick needs this additional processor
-   * time. Default 0: the thread sleeps until the tick.
+   * time. With 0, the default, the thread sleeps until the tick.
    */
   vtkSetMacro(Rehearsal, double);
   vtkGetMacro(Rehearsal, double);
@@ -196,18 +196,17 @@ public:
 
   ///@{
   /**
-   * With RealTime: whether the memory of the process is locked against paging, if the system
-   * permits it. Only the program may decide this, so a library does not do it by default. Default
-   * off.
+   * With RealTime, whether the memory of the process is locked against paging if the system permits
+   * it. Default off, because locking affects the whole process, and only the program may decide it.
    */
   vtkSetMacro(LockMemory, bool);
   vtkGetMacro(LockMemory, bool);
   vtkBooleanMacro(LockMemory, bool);
   ///@}
 
-  /** Ticks made since Start. */
+  /** Number of ticks since Start. */
   vtkIdType GetNumberOfTicks() const;
-  /** Number of successful calls of Start. It identifies the run. */
+  /** Number of successful calls of Start. The number identifies the run. */
   vtkIdType GetNumberOfStarts() const
   {
     return this->Starts;
@@ -222,9 +221,9 @@ public:
 
   /**
    * Passes the present body, ResponseName and contact settings to the running session. The force
-   * changes to its new value within 50 ms, also during contact. If two calls follow in quick
-   * succession, the later one takes effect. No effect if the session does not run. Returns false
-   * after an error, which names the fault; the session then continues unchanged.
+   * changes to its new value within 50 ms, even during contact. Of two calls in quick succession,
+   * the later one takes effect. No effect if the session does not run. Returns false after an
+   * error, which names the fault; the session then continues unchanged.
    */
   bool ApplyChanges();
 
@@ -234,16 +233,16 @@ public:
   void Step(double seconds);
 
   int GetState() const;
-  /** State of one of several devices. Each device has its own state; one can be in the state
-   * DeviceLost while the others run. */
+  /** State of one of several devices. One device can be in the state DeviceLost while the other
+   * devices run. */
   int GetState(int device) const;
   /** Virtual time of the next tick, s. */
   double GetTime() const;
 
   ///@{
-  /** Values of the newest tick: tip; contact point; total force on the tool (GetIdealForce: ideal,
-   * GetForce: applied by the device); friction as part of it; normal; deflection; and contact
-   * state as in vtkToolContactProbe. Zeros before the first tick. */
+  /** Values of the newest tick. GetIdealForce is the ideal total force on the tool, GetForce the
+   * force that the device applies; the friction is a part of the total force. The contact state is
+   * that of vtkToolContactProbe. All values are zero before the first tick. */
   void GetTip(double tip[3]);
   void GetContactPoint(double point[3]);
   void GetIdealForce(double force[3]);
@@ -257,10 +256,10 @@ public:
   ///@}
   ///@{
   /**
-   * Values of the newest tick of a tilted tool: its axis, a unit vector from the tip to the hand;
-   * the ideal torque on the tool about its tip, N mm; the torque applied by a device that outputs
-   * torque, N mm; its tilt from the normal, degrees. All zero if the device does not report its
-   * orientation.
+   * Values of the newest tick of a tilted tool: the axis, a unit vector from the tip to the hand;
+   * the ideal torque on the tool about its tip, N mm; the torque that the device applies, N mm; and
+   * the tilt of the tool from the normal, degrees. All values are zero if the device does not
+   * report its orientation.
    */
   void GetAxis(double axis[3]);
   void GetIdealTorque(double torque[3]);
@@ -268,7 +267,7 @@ public:
   double GetTilt();
   ///@}
   ///@{
-  /** As above, for one of several devices, given by its index. */
+  /** The same values for the device with the index `device`. */
   void GetTip(int device, double tip[3]);
   void GetContactPoint(int device, double point[3]);
   void GetIdealForce(int device, double force[3]);
@@ -286,7 +285,7 @@ public:
   ///@}
   /**
    * Factor by which the ideal force of the newest tick was scaled to fit the device. Before the
-   * first tick: the factor chosen at Start.
+   * first tick it is the factor that was chosen at Start.
    */
   double GetForceFactor();
   /** Reason for the factor, such as "the device is too weak: 10 N of 52.3 N"; "" if the factor is
@@ -302,23 +301,24 @@ public:
   double GetMaximumForce();
   /**
    * Text with the reasons for a difference between applied force and ideal force, and the factor,
-   * for example "force ×0.12 (the device is too weak: 10 N of 83.3 N), stiffness capped". "" if the
-   * forces do not differ.
+   * for example "force ×0.12 (the device is too weak: 10 N of 83.3 N), stiffness capped". Returns
+   * "" if the forces do not differ.
    */
   std::string GetSafetyText();
 
   /**
-   * With a device "replay:FILE": a sentence with the recorded body, tool, material, model and
-   * friction at this place of the record, or with those that differ from the session's. "" for
-   * other devices.
+   * With a device "replay:FILE", a sentence about the present time of the record. It names the
+   * recorded body, tool, material, model and friction, or those of them that differ from the
+   * session's. "" for other devices.
    */
   std::string GetReplayText();
 
 #ifndef __VTK_WRAP__
-  /** Body, tool, material, model and friction in words. */
+  /** The setup of the session in words: body, tool, material, model and friction. */
   palpate::RecordedSetup GetSetup();
 
-  /** The complete newest tick, valid until the next call; a default tick before the first tick. */
+  /** The complete newest tick, valid until the next call. Before the first tick it is a default
+   * tick. */
   const palpate::Tick& GetNewestTick();
   const palpate::Tick& GetNewestTick(int device);
 #endif
@@ -368,7 +368,7 @@ private:
   double FittedFactor = 1.0; ///< force factor of the newest servo scene
   std::string FitReason;     ///< reason for a factor below 1; "" if the factor is 1
 
-  // Body and modification time for which defects were reported last.
+  // The body, and its modification time, whose defects were reported last.
   vtkPolyData* Unsound = nullptr;
   vtkMTimeType UnsoundTime = 0;
 

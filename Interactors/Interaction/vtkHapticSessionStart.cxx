@@ -64,7 +64,8 @@ bool vtkHapticSession::Start()
   this->ReleaseDevices();
   if (!this->Known->given)
   {
-    *this->Known = {}; // not reused, because the body may have been changed in place
+    *this->Known = {}; // the known kernels are not reused, because the body may have been changed
+                       // in place
   }
   this->Known->given = false;
   const auto body = this->CheckSettings() ? this->ReadBody(this->ResponseName) : nullptr;

@@ -49,8 +49,8 @@ Eigen::Vector3d rightOf(const Eigen::Vector3d& arrow, vtkCamera* camera)
   const Eigen::Vector3d ahead(camera->GetDirectionOfProjection());
   const Eigen::Vector3d along = arrow.normalized();
   const Eigen::Vector3d right = ahead.cross(along);
-  // For an arrow that points at the camera this vector is undefined. The camera's right is used
-  // instead.
+  // If the arrow points at the camera, this vector is undefined. Then the right direction of the
+  // camera is used instead.
   return right.norm() > 0.1 ? right.normalized()
                             : ahead.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
 }
@@ -186,8 +186,8 @@ int vtkHapticToolRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   if (renderer && this->Applied->isShown())
   {
-    // The arrow of the applied force is moved to the right of the ideal force. Without an ideal
-    // force it is moved to the right of its own position.
+    // The arrow of the applied force is drawn to the right of the ideal force. If the ideal force
+    // is not shown, the direction of the applied force itself is used.
     const Eigen::Vector3d origin(this->ContactPoint);
     const Eigen::Vector3d arrow =
       (this->Total->isShown() ? this->Total->head() : this->Applied->head()) - origin;

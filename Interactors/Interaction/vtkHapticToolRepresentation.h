@@ -6,7 +6,7 @@
  * The tool is drawn at its tip along the contact normal, or along its own axis if that is known.
  * The tool is translucent, so that it hides neither dent nor arrow. The arrow of the total ideal
  * force starts at the contact point and is ForceScale mm long per newton. The label at its head is
- * the magnitude in newtons. Without force there is no arrow.
+ * the magnitude in newtons. If the force is zero, there is no arrow.
  *
  * If the friction is at least 2 % of the force, two thinner arrows from the same point show the
  * normal force and the friction. If the applied force (after the safety chain) differs from the
@@ -18,12 +18,12 @@
  * of the arrow.
  *
  * Labels stay inside the viewport. They do not cover one another, arrows, tool or contact circle,
- * as long as the viewport has a free place.
+ * as long as the viewport has free space.
  *
  * A torque about the tip is drawn as an arc in the direction of rotation, with its value in N mm.
- * It is drawn if it is at least 2 % of the torque that the contact force would have with the arc's
- * radius as lever arm. The length of the arc is the length of an arrow for a force that has the
- * same torque at the arc's radius.
+ * The arc is drawn if the torque is at least 2 % of the torque of the contact force with the arc's
+ * radius as lever arm. The length of the arc is that of an arrow for the force that causes the same
+ * torque with this lever arm.
  *
  * BeyondValidity draws the arrows dashed.
  *
@@ -75,7 +75,7 @@ public:
   ///@}
 
   ///@{
-  /** Length of the arrow, mm per N, > 0. Default 10. */
+  /** Length of the arrow per force, mm/N, > 0. Default 10. */
   vtkSetMacro(ForceScale, double);
   vtkGetMacro(ForceScale, double);
   ///@}
@@ -88,9 +88,9 @@ public:
 
   ///@{
   /**
-   * ComponentsVisibility: whether normal force and friction are drawn if there is friction.
-   * AppliedForceVisibility: whether the applied force is drawn if it differs from the ideal force.
-   * A change takes effect with the next contact. Default on.
+   * ComponentsVisibility is whether normal force and friction are drawn if there is friction.
+   * AppliedForceVisibility is whether the applied force is drawn if it differs from the ideal
+   * force. A change takes effect with the next contact. Default on.
    */
   vtkSetMacro(ComponentsVisibility, bool);
   vtkGetMacro(ComponentsVisibility, bool);
@@ -109,38 +109,40 @@ public:
 
   /**
    * Sets the tip of the tool, the outward normal along which the tool is drawn, the start of the
-   * arrow, and the force on the tool (N). If the normal is zero, the direction does not change.
+   * arrow, and the force on the tool (N). If the normal is zero, the direction of the tool does not
+   * change.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3]);
   /**
-   * As above, with the friction that is part of the force, and the applied force. Without a device,
-   * or if the forces are equal, pass `force` as `applied`.
+   * Sets the same quantities, and also the friction, which is part of the force, and the applied
+   * force. Without a device, or if the forces are equal, pass `force` as `applied`.
    */
   void SetContact(const double tip[3], const double normal[3], const double contactPoint[3],
     const double force[3], const double friction[3], const double applied[3]);
 
   /**
-   * Sets, for the next contacts, the axis of the tool (from its tip up the shaft) and the torque on
-   * the tool about its tip, N mm. Zeros (default): the axis is unknown, and there is no torque.
+   * Sets the axis of the tool, from its tip towards the hand, and the torque on the tool about its
+   * tip, N mm, for the next contacts. A zero axis means that the axis is unknown, a zero torque
+   * that there is none. Default: both zero.
    */
   void SetTilt(const double axis[3], const double torque[3]);
 
   /**
    * Sets another representation that is drawn before this one. Its labels are placed first, and the
-   * labels of this representation avoid them. Default none.
+   * labels of this representation avoid the labels of the other. Default none.
    */
   void SetLabelsAfter(vtkHapticToolRepresentation* other);
 
 #ifndef __VTK_WRAP__
-  /** Further parts of the scene that the labels leave free. */
+  /** Sets further parts of the scene that the labels must not cover. */
   void LeaveFree(std::vector<palpate::LabelObstacle> obstacles);
 #endif
 
   ///@{
   /**
-   * Radius of the circle around the contact point that labels must not cover, mm; 0 (default): no
-   * circle.
+   * Radius of the circle around the contact point that labels must not cover, mm. With 0, the
+   * default, there is no circle.
    */
   vtkSetMacro(ContactRadius, double);
   vtkGetMacro(ContactRadius, double);
@@ -148,16 +150,17 @@ public:
 
   ///@{
   /**
-   * Whether a label stays at its place relative to its arrow unless another place is clearly
-   * better. Then labels do not jump in a live picture. Off (default): a picture does not depend on
-   * the previous pictures.
+   * Whether a label keeps its position relative to its arrow unless another position is clearly
+   * better, so that labels do not jump in a live picture. If off, a picture does not depend on the
+   * previous pictures. Default off.
    */
   vtkSetMacro(SteadyLabels, bool);
   vtkGetMacro(SteadyLabels, bool);
   ///@}
 
   ///@{
-  /** Overridden, because the places of the applied force and of the labels depend on the camera. */
+  /** Overridden because the positions of the applied force and of the labels depend on the
+   * camera. */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
   ///@}
@@ -191,7 +194,7 @@ private:
   bool SteadyLabels = false;
   double ContactRadius = 0.0;
   std::vector<palpate::LabelObstacle> LeftFree;
-  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool stands
+  double Axis[3] = { 0.0, 0.0, 1.0 };    ///< direction along which the tool is drawn
   double OwnAxis[3] = { 0.0, 0.0, 0.0 }; ///< axis of the tool, if it is known
   double TorqueAboutTip[3] = { 0.0, 0.0, 0.0 };
   double ContactPoint[3] = { 0.0, 0.0, 0.0 }; ///< start of the arrows

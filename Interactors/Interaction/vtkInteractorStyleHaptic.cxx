@@ -18,7 +18,7 @@
 
 namespace
 {
-constexpr double DepthPerNotch = 0.1; // mm
+constexpr double DepthPerNotch = 0.1; // depth per notch of the wheel, mm
 } // namespace
 
 vtkStandardNewMacro(vtkInteractorStyleHaptic);
@@ -154,7 +154,8 @@ bool vtkInteractorStyleHaptic::IsPointerOffBody()
   return this->OffBody && this->Interactor && this->FindSceneRenderer();
 }
 
-/// Steers the tip to a height (mm) above a point of the surface. A negative height presses.
+/// Steers the tip to a height (mm) above a point of the surface. At a negative height the tool
+/// presses.
 void vtkInteractorStyleHaptic::TouchAt(const double point[3], const double normal[3], double height)
 {
   palpate::SteeredHand& hand = this->Steered();
@@ -187,7 +188,8 @@ void vtkInteractorStyleHaptic::SteerAlike(vtkHapticDevice* device) const
   }
 }
 
-/// Steers to the point under the pointer, at the tip's distance from the viewer plus `away` (mm).
+/// Steers the tip to the point under the pointer whose distance from the viewer is that of the
+/// present tip plus `away` (mm).
 bool vtkInteractorStyleHaptic::SteerInView(double away)
 {
   vtkRenderer* renderer = this->FindSceneRenderer();
@@ -346,7 +348,7 @@ bool vtkInteractorStyleHaptic::TurnWheel(double notches)
   const bool byButton = this->Pressing && !this->KeepsWheelDepth;
   const double wanted =
     (byButton ? this->PressDepth : this->GetWheelDepth()) + notches * DepthPerNotch;
-  constexpr double rounding = 1e-9; // of a sum of notches
+  constexpr double rounding = 1e-9; // tolerance for the rounding error of a sum of notches
   this->AtGreatestDepth = notches > 0.0 && wanted > this->MaximumDepth + rounding;
   if (byButton)
   {

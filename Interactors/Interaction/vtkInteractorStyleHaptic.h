@@ -3,23 +3,24 @@
  * @class vtkInteractorStyleHaptic
  * @brief moves the tool with the mouse over the body, and the camera elsewhere
  *
- * Set a session (RealTime) and the scene that shows it; a vtkFrameClock draws the scene. The style
- * never waits for the servo thread.
+ * Set a session (with RealTime) and the scene that shows the session; a vtkFrameClock draws the
+ * scene. The style never waits for the servo thread.
  *
  * **Mouse**, over the body, in the viewport of the scene:
  * - moving: the tool hovers HoverHeight above the surface under the pointer; if the pointer jumps,
  *   the tool moves around the body (vtkHapticDevice::TouchAt);
- * - left button: the tool presses, PressDepth deep, and slides with the pointer; the wheel changes
- *   the depth by 0.1 mm per notch; a tool that the wheel presses keeps its depth;
- * - wheel without a button: the tool presses WheelDepth deep; each notch changes WheelDepth by 0.1
- *   mm; at 0 the tool hovers again;
+ * - left button: the tool presses with the depth PressDepth and slides with the pointer; the wheel
+ *   changes the depth by 0.1 mm per notch; if the wheel already presses the tool, the depth does
+ *   not change;
+ * - wheel without a button: the tool presses with the depth WheelDepth; each notch changes
+ *   WheelDepth by 0.1 mm; at 0 the tool hovers again;
  * - wheel with Shift, and keys [ ] { }: tilt the tool by 2.5 degrees relative to the surface normal
- *   (with ViewPlane, relative to the direction to the viewer); key 0: upright;
+ *   (with ViewPlane, relative to the direction to the viewer); key 0 makes the tool upright;
  * - with Steering ViewPlane (key v), the pointer moves the tip in the plane through the tip
  *   parallel to the picture, both in free space and in the body. The wheel moves the tip away from
  *   the viewer or towards the viewer, by 0.1 mm per notch.
  *
- * A tool that presses stays where it is while the pointer is not over the body (IsPointerOffBody).
+ * A pressing tool does not move while the pointer is not over the body (IsPointerOffBody).
  *
  * Elsewhere in the scene the mouse acts as in vtkInteractorStyleTrackballCamera: the left button
  * orbits, the middle button pans, the right button and the wheel zoom. With Control the wheel zooms
@@ -29,9 +30,9 @@
  * For a session with several devices, the pointer moves one hand at a time, given by Hand. Key n
  * changes to the next simulated hand. The other hands do not move and continue to press.
  *
- * **Keys**: see GetKeyHelp; ? or h shows and hides this help on the screen. For keys that the style
- * does not handle itself, it invokes events: 1 to 9 ToolChosenEvent (call data: int*, from 0),
- * space SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
+ * **Keys** are listed by GetKeyHelp; ? or h shows and hides this list on the screen. For keys that
+ * the style does not handle itself, it invokes events: 1 to 9 ToolChosenEvent (call data: int*,
+ * from 0), space SwitchEvent, c CompareEvent, g ChartsEvent, t HistogramEvent.
  *
  * The body is that of the session. The tool presses along the normals of its response.
  *
@@ -97,26 +98,28 @@ public:
    * and cells are unchanged. */
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession();
-  /** The scene that shows the session. The pointer steers in its renderer. */
+  /** The scene that shows the session. The pointer steers the tool within the renderer of the
+   * scene. */
   void SetScene(vtkContactScene* scene);
   vtkContactScene* GetScene();
   ///@{
-  /** Optional: the object that writes the pictures (key p) and the records (key k). */
+  /** The object that writes the pictures (key p) and the records (key k). Optional. */
   void SetFiles(vtkSessionFiles* files);
   vtkSessionFiles* GetFiles();
   ///@}
 
   ///@{
   /**
-   * Index of the device that the pointer moves. A larger index means the last device. Each hand
-   * keeps its wheel depth and tilt while another hand is moved. Default 0.
+   * Index of the device that the pointer moves. An index that is too large means the last device.
+   * Each hand keeps its wheel depth and tilt while another hand is moved. Default 0.
    */
   void SetHand(int hand);
   vtkGetMacro(Hand, int);
   ///@}
 
   ///@{
-  /** How the pointer moves the tool (see the description of the class). Default Surface. */
+  /** The mode in which the pointer moves the tool (see the description of the class). Default
+   * Surface. */
   vtkSetClampMacro(Steering, int, Surface, ViewPlane);
   vtkGetMacro(Steering, int);
   void SetSteeringToSurface() { this->SetSteering(Surface); }
@@ -124,19 +127,19 @@ public:
   ///@}
 
   ///@{
-  /** Depth that the left button presses, mm, 0 to MaximumDepth. Not used while the wheel presses.
-   * Default 1. */
+  /** Depth to which the left button presses the tool, mm, 0 to MaximumDepth. Not used while the
+   * wheel presses. Default 1. */
   void SetPressDepth(double depth);
   vtkGetMacro(PressDepth, double);
   ///@}
   ///@{
-  /** Depth that the wheel presses without a button, mm, 0 to MaximumDepth. 0 (default): the tool
-   * hovers. */
+  /** Depth to which the wheel presses the tool without a button, mm, 0 to MaximumDepth. With 0, the
+   * default, the tool hovers. */
   void SetWheelDepth(double depth);
   double GetWheelDepth() const;
   ///@}
   ///@{
-  /** Largest depth that button and wheel press, mm. Default 2. */
+  /** Largest depth to which button and wheel press, mm. Default 2. */
   vtkSetMacro(MaximumDepth, double);
   vtkGetMacro(MaximumDepth, double);
   ///@}
@@ -148,8 +151,8 @@ public:
 
   /**
    * Tilt of the tool against the normal, degrees: to the right of the picture, and away from the
-   * viewer. Each is from -60 to 60. A change takes effect with the next movement. Default 0, 0: the
-   * axis is not set, and the tool is along the normal.
+   * viewer. Each is from -60 to 60. A change takes effect with the next movement. Before the first
+   * call the axis is not set, and the tool is along the normal.
    */
   void SetTilt(double right, double away);
   void GetTilt(double tilt[2]) const;
@@ -158,35 +161,37 @@ public:
    * Steers the tool to hover above a point of the surface with the outward unit normal `normal`.
    */
   void HoverAt(const double point[3], const double normal[3]);
-  /** Steers the tip to a point, mm, body frame, on a straight line. */
+  /** Steers the tip to a point on a straight line. The point is in mm, in the body frame. */
   void SteerTo(const double tip[3]);
   /** Steers another device to the last target of the current hand, in the same way. */
   void SteerAlike(vtkHapticDevice* device) const;
 
-  /** Whether the tool is being pressed by the left button. */
+  /** Whether the left button is pressing the tool. */
   bool IsPressing() const { return this->Pressing; }
 
   /**
    * Whether the wheel has ever pressed the tool or moved it away from the viewer. A window can
-   * explain the wheel until this is true.
+   * explain the wheel until this function returns true.
    */
   bool HasWheelPressed() const { return this->WheelPressed; }
   /**
-   * Whether the pointer is next to the body, in the viewport of the scene, while the tool presses.
-   * The tool then keeps its place and its depth. A window should show this to the user.
+   * Whether the pointer is in the viewport of the scene but not over the body while the tool
+   * presses. The tool then keeps its position and its depth. A window should inform the user.
    */
   bool IsPointerOffBody();
-  /** Whether the wheel was last turned to press deeper than MaximumDepth. */
+  /** Whether the last turn of the wheel was limited by MaximumDepth. */
   bool IsAtGreatestDepth() const { return this->AtGreatestDepth; }
 
   ///@{
-  /** Whether the list of keys and mouse functions is shown on the screen. Key ?. Default off. */
+  /** Whether the list of keys and mouse functions is shown on the screen. The key ? toggles it.
+   * Default off. */
   void SetHelpVisibility(bool visible);
   bool GetHelpVisibility() const;
   ///@}
   ///@{
   /**
-   * Text of the list: one line per key, "key<tab>function". Default: the functions of this class.
+   * Text of the list, with one line "key<tab>function" per key. Default: the functions of this
+   * class.
    */
   void SetKeyHelp(const std::string& text);
   std::string GetKeyHelp() const;
@@ -200,7 +205,7 @@ public:
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
   void OnChar() override;
-  void OnTimer() override {} ///< frames of the clock do not move the camera
+  void OnTimer() override {} ///< empty, because frames of the clock must not move the camera
 
 protected:
   vtkInteractorStyleHaptic();
@@ -233,7 +238,7 @@ private:
   vtkSmartPointer<vtkSessionFiles> Files;
   std::unique_ptr<palpate::SurfacePicker> Picker;
   std::unique_ptr<palpate::KeyHelp> Help;
-  /// States of the hands that have been steered so far, including Hand.
+  /// States of the hands that have been steered so far, including the hand with the index Hand.
   std::vector<palpate::SteeredHand> Hands;
   int Hand = 0;
   int Steering = Surface;
@@ -241,7 +246,8 @@ private:
   double MaximumDepth = 2.0;
   double HoverHeight = 3.0;
   bool Pressing = false;
-  bool KeepsWheelDepth = false; ///< whether the wheel pressed when the button was pressed
+  /// Whether the wheel was pressing the tool when the button was pressed.
+  bool KeepsWheelDepth = false;
   bool WheelPressed = false;
   bool AtGreatestDepth = false;
   bool OffBody = false; ///< whether the last move found no surface while the tool pressed

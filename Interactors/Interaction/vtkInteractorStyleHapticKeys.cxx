@@ -24,7 +24,7 @@ const std::map<char, unsigned long> KeyEvents = { { ' ', vtkInteractorStyleHapti
   { 't', vtkInteractorStyleHaptic::HistogramEvent } };
 } // namespace
 
-/// Returns the text for KeyHelp: the functions of mouse and keys.
+/// Returns the text for KeyHelp, which lists the functions of mouse and keys.
 const char* vtkInteractorStyleHaptic::OwnKeys()
 {
   return "? or h\tthis help, on and off\n"
@@ -75,8 +75,8 @@ bool vtkInteractorStyleHaptic::DoKey(char key)
     this->InvokeEvent(found->second);
     return true;
   }
-  // X reports the key without Shift. On an American keyboard / is the key of ?, and = is the key of
-  // +.
+  // X reports the key without Shift. On an American keyboard, ? is on the key / and + is on the key
+  // =.
   using Style = vtkInteractorStyleHaptic;
   static const std::map<char, void (*)(Style&)> actions = {
     { '?', [](Style& style) { style.SetHelpVisibility(!style.GetHelpVisibility()); } },

@@ -105,7 +105,8 @@ void vtkLiveCharts::Update()
   }
   kept.seen = ticks.added();
   const palpate::Tick now = runs && ticks.size() > 0 ? ticks[ticks.size() - 1] : palpate::Tick();
-  std::string error; // not reported: the running session has already reported this error
+  // The error is not reported, because the running session has already reported it.
+  std::string error;
   kept.time.show(kept.session->GetRecorder()->GetNumberOfLostTicks());
   kept.way.show(kept.time.now());
   kept.showCurves(now, error);

@@ -3,32 +3,34 @@
  * @class vtkLiveCharts
  * @brief live charts next to the scene: force over time and over deflection, and the stored curves
  *
- * Set a renderer (its own viewport in the live window; the charts fill it, side by side or one
- * above the other) and a session. Call Update once a frame, before the window renders.
+ * Set a renderer and a session. The renderer should have a viewport of its own in the live window;
+ * the charts fill it, side by side or one above the other. Call Update once per frame, before the
+ * window renders.
  *
- * - **Time**: all ticks of the last Duration seconds: the ideal force and the applied force, and
- *   friction and memory force if there are any; magnitudes in N. The lines join the smallest and
+ * - **Time**: all ticks of the last Duration seconds with the magnitudes of ideal force and applied
+ *   force, and of friction and memory force if there are any, in N. The lines join the smallest and
  *   the largest value of a few ticks each, so that no peak is lost. A time without ticks is a gap.
  * - **Deflection**: force over deflection (mm, N) since the contact last began, loading and
- *   unloading, ideal and applied. For a body that relaxes, the slow force is shown, too; the curve
- *   of the ideal force is a loop around it.
- * - **Curves**: the stored curves of the three corners of the triangle in contact, and their blend
- *   by area coordinates, dotted beyond Validity. A running point shows the present normal force.
- *   With AddComparedResponse, the chart shows the blended curve of each response, one per tool, at
- *   the contact, instead of the curves of the corners. The last contact remains visible.
+ *   unloading, ideal and applied. For a body that relaxes, the slow force is also shown; the curve
+ *   of the ideal force is a loop around the curve of the slow force.
+ * - **Curves**: the stored curves of the three corners of the triangle in contact, and their
+ *   average weighted by the area coordinates, dotted beyond Validity. A running point shows the
+ *   present normal force. With AddComparedResponse, the chart shows the averaged curve of each
+ *   response at the contact, one per tool, instead of the curves of the corners. The last contact
+ *   remains visible.
  * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the
  *   servo thread's ticks (µs), both axes logarithmic. Empty in virtual time.
  *
  * The initial ranges of the axes are set by SetLargestDeflection and SetLargestForce, or chosen
- * once from the responses: their range of deflection, and the force at half of that range. An axis
- * grows in round steps as soon as a drawn value exceeds it. It shrinks if for 3 s all drawn values
- * have been below a third of it. ResetRanges chooses the ranges again.
+ * once from the responses, from their range of deflection and the force at half of this range. An
+ * axis grows in round steps as soon as a drawn value exceeds it. It shrinks if for 3 s all drawn
+ * values have been below a third of it. ResetRanges chooses the ranges again.
  *
  * Without a session, ShowTip shows the tips of a probe's output or a recording in the same way.
  *
- * Cost of an Update: 0.1 µs per tick since the last Update, and tables of at most a few thousand
- * numbers, independent of the length of the session and the size of the body. An Update never waits
- * for the servo thread and takes no lock. Only the thread of the session may call it.
+ * An Update costs 0.1 µs per tick since the last Update, and fills tables of at most a few thousand
+ * numbers. The cost does not depend on the length of the session or the size of the body. An Update
+ * never waits for the servo thread and takes no lock. Only the thread of the session may call it.
  *
  * @code{.py}
  * charts = palpate.vtkLiveCharts()
@@ -62,8 +64,8 @@ public:
 
   ///@{
   /**
-   * The renderer of the charts. The charts set its background and handle no events. Null removes
-   * the charts from their renderer.
+   * The renderer of the charts. The charts set the background of the renderer and handle no events.
+   * Null removes the charts from their renderer.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -87,22 +89,24 @@ public:
   void SetResponseName(const std::string& name);
   ///@}
   /**
-   * Shows tip `index` of a probe's output, or of a recording, on the body of SetBody. The tips
-   * before it are the history. The chart over time needs an array `Time`. Returns false, after an
-   * error, if there is no such tip, or if the probe's arrays or the response are missing.
+   * Shows the tip with index `index` of a probe's output, or of a recording, on the body of
+   * SetBody. The tips before it are the history. The chart over time needs an array `Time`. Returns
+   * false and reports an error if there is no such tip, or if the probe's arrays or the response
+   * are missing.
    */
   bool ShowTip(vtkPolyData* probed, vtkIdType index);
 
   /**
-   * Shows a histogram from vtkHapticRecorder::GetTimingHistogram of any run. Returns false, after
-   * an error, if a column is missing.
+   * Shows a table from vtkHapticRecorder::GetTimingHistogram, of any run. Returns false, after an
+   * error, if a column is missing.
    */
   bool ShowTimingHistogram(vtkTable* histogram);
 
   ///@{
   /**
    * Responses of the body whose curves are compared at the contact. The default label is the tool
-   * of the response. Default none: the curves of the triangle's corners are shown.
+   * of the response. Without such responses, the default, the curves of the triangle's corners are
+   * shown.
    */
   void AddComparedResponse(const std::string& name, const std::string& label);
   void AddComparedResponse(const std::string& name) { this->AddComparedResponse(name, ""); }
@@ -128,8 +132,8 @@ public:
   ///@}
 
   ///@{
-  /** Initial ends of the axes, N and mm. Default 0: chosen from the responses (see the description
-   * of the class). */
+  /** Initial ends of the axes, N and mm. With 0, the default, they are chosen from the responses
+   * (see the description of the class). */
   void SetLargestForce(double force);
   double GetLargestForce();
   void SetLargestDeflection(double deflection);

@@ -25,13 +25,13 @@ using Vector = Eigen::Vector3d;
 namespace
 {
 constexpr double StepAngle = 0.25 * 3.14159265358979323846 / 180.0;
-constexpr double LargestLeap = 10.0; // mm, largest distance between neighbouring points
-constexpr double RestTime = 0.25;    // s, rest after pressing and before lifting
+constexpr double LargestLeap = 10.0; // largest distance between neighbouring points, mm
+constexpr double RestTime = 0.25;    // time of rest after pressing and before lifting, s
 // As a fraction of the body's size. The tolerance makes a ray through an edge hit the edge.
 constexpr double EdgeTolerance = 1e-8;
 
-/// Returns the unit directions of the path: the given directions, and intermediate directions in
-/// equal steps.
+/// Returns the unit directions of the path, which are the given directions and intermediate
+/// directions in equal steps.
 std::vector<Vector> sweep(const std::vector<std::array<double, 3>>& given)
 {
   std::vector<Vector> directions;
@@ -140,7 +140,7 @@ bool vtkPressPath::FindFootprints(vtkPolyData* body, std::vector<Footprint>& foo
     vtkTriangle::ComputeNormal(corner[0], corner[1], corner[2], foot.normal.data());
     if (foot.normal.dot(direction) < 0.0)
     {
-      // Turn the normal outward, since the ray comes from outside the body.
+      // Turn the normal outward, because the ray comes from outside the body.
       foot.normal = -foot.normal;
     }
     if (!footprints.empty())

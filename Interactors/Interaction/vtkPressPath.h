@@ -7,19 +7,19 @@
  * s) and `Inward` (double 3, the direction of pressing), for vtkHapticDevice::SetPath or
  * vtkToolContactProbe.
  *
- * The places to visit are given by directions from Center. A ray from outside the body towards
+ * The points to visit are given by directions from Center. A ray from outside the body towards
  * Center gives the first surface along each direction. With several directions, the path goes from
- * each direction to the next through intermediate directions. At the first place the tip moves at
+ * each direction to the next through intermediate directions. At the first point the tip moves at
  * PressSpeed along the direction of pressing, from the height Approach above the surface to Depth
- * below it, and rests. Then it slides at SlideSpeed at constant Depth. At the last place it rests
- * and lifts off. With one direction it presses, rests and lifts off.
+ * below the surface, and rests. Then it slides at SlideSpeed at the constant depth Depth. At the
+ * last point it rests and lifts off. With a single direction it presses, rests and lifts off.
  *
  * The direction of pressing is the surface normal, averaged over SmoothingLength of the path, like
  * the direction in which a hand holds the tool. On a rough surface, the depth along this direction
  * is therefore only approximately the deflection.
  *
- * Errors: a direction that meets no surface; a jump of more than 10 mm between neighbouring points
- * of the path (the path crosses a gap or a silhouette).
+ * The filter fails if a direction meets no surface, or if neighbouring points of the path are more
+ * than 10 mm apart because the path crosses a gap or a silhouette.
  *
  * @code{.py}
  * path = palpate.vtkPressPath()
@@ -53,8 +53,8 @@ public:
   ///@}
 
   ///@{
-  /** The directions to visit, of any length except zero. Consecutive directions must not be
-   * opposite. */
+  /** The directions to visit. They may have any length except zero. Consecutive directions must not
+   * be opposite. */
   void AddDirection(double x, double y, double z);
   void RemoveAllDirections();
   ///@}

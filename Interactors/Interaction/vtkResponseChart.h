@@ -8,8 +8,8 @@
  * units, a legend, and colours and dashes that colour-blind readers can distinguish. It starts at
  * (0, 0) and ends with the longest curve.
  *
- * A curve may have a depth of validity; beyond it the line is dotted. If a table has a third and a
- * fourth column, the bounds of the force (N), a band is drawn between them.
+ * A curve may have a depth of validity; beyond this depth the line is dotted. A third and a fourth
+ * column of a table are the bounds of the force (N); a band is drawn between them.
  *
  * @code{.py}
  * chart = palpate.vtkResponseChart()
@@ -43,8 +43,8 @@ public:
   void SetTitle(const std::string& title);
 
   /**
-   * Adds a curve. It is solid up to `validDepth` (mm) and dotted beyond that depth. Returns false,
-   * after an error, if the table has fewer than two columns.
+   * Adds a curve. It is solid up to `validDepth` (mm) and dotted beyond that depth. Returns false
+   * and reports an error if the table has fewer than two columns.
    */
   bool AddCurve(vtkTable* table, const std::string& label, double validDepth);
   bool AddCurve(vtkTable* table, const std::string& label);
@@ -64,7 +64,7 @@ private:
 
   vtkSmartPointer<vtkChartXY> Chart;
   int Curves = 0;
-  bool HasBand = false; ///< whether the legend explains a band
+  bool HasBand = false; ///< whether the legend already explains a band
   double LargestDeflection = 0.0;
   double LargestForce = 0.0;
 };

@@ -31,13 +31,13 @@ void vtkSessionFiles::SetWindow(vtkRenderWindow* window)
 std::string vtkSessionFiles::FreeName(const char* ending)
 {
   const std::filesystem::path folder(this->OutputFolder);
-  std::error_code ignored; // not used: an error is reported when the file is written
+  std::error_code ignored; // the error code is not used, because writing the file reports the error
   std::filesystem::create_directories(folder, ignored);
   std::filesystem::path name;
   const auto isTaken = [&ignored](const std::filesystem::path& path)
   {
     return std::filesystem::exists(path, ignored) ||
-      // Remains after a write to a full disk.
+      // A file with this name remains after a write to a full disk.
       std::filesystem::exists(path.string() + ".part", ignored);
   };
   for (int number = 1; name.empty() || isTaken(name); ++number)
@@ -86,7 +86,7 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
     vtkErrorMacro(<< "There is no record to write: call StartRecording.");
     return {};
   }
-  // Collects the newly recorded ticks before the tape stops.
+  // This collects the newly recorded ticks before the tape stops.
   this->Session->GetRecorder()->GetTape();
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;

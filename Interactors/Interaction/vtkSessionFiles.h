@@ -5,8 +5,8 @@
  *
  * Files are named "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number,
  * unless the caller gives a name. A record contains all ticks between two times of a session, as a
- * trajectory file for the device "replay:FILE". It continues over a stop and a start of the
- * session. GetNotice describes the last action. Only the session's thread may use it.
+ * trajectory file for the device "replay:FILE". A record may extend over a stop and a new start of
+ * the session. GetNotice describes the last action. Only the session's thread may use it.
  *
  * @code{.py}
  * session.GetRecorder().SetHistorySeconds(1.0)         # before Start
@@ -43,7 +43,7 @@ public:
   vtkTypeMacro(vtkSessionFiles, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The session to record. */
+  /** The session whose ticks are recorded. */
   void SetSession(vtkHapticSession* session);
   /** The window whose pictures are written. */
   void SetWindow(vtkRenderWindow* window);
@@ -70,11 +70,11 @@ public:
 
   ///@{
   /**
-   * StartRecording begins to store all ticks. It returns false, after an error, if the session's
-   * recorder had no HistorySeconds at its Start. HistorySeconds must cover a few frames; 1 s is
-   * more than enough. WriteRecording writes the stored ticks to a file. If `fileName` is "", the
-   * file gets an automatic name. It returns the name of the file, or "" after an error.
-   * ToggleRecording starts a recording, or writes the running one.
+   * StartRecording begins to store all ticks. It returns false and reports an error if
+   * HistorySeconds of the session's recorder was 0 at Start. HistorySeconds must cover a few
+   * frames; 1 s is more than enough. WriteRecording writes the stored ticks to a file. If
+   * `fileName` is "", the file gets an automatic name. It returns the name of the file, or "" after
+   * an error. ToggleRecording starts a recording, or writes the recording that is in progress.
    */
   bool StartRecording();
   std::string WriteRecording(const std::string& fileName = std::string());

@@ -69,7 +69,7 @@ std::string vtkTrajectoryReader::Read()
   {
     return "A File Name is required";
   }
-  std::error_code missing; // ignored: reading the file reports this error
+  std::error_code missing; // the error is ignored here, because reading the file reports it
   const auto changed = std::filesystem::last_write_time(this->FileName, missing);
   if (this->Known && this->KnownFile == this->FileName && this->KnownTime == changed)
   {
@@ -140,8 +140,8 @@ int vtkTrajectoryReader::RequestData(
   if (!this->WholePath && info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
   {
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    // The requested time is a sum of periods. Because of rounding it may be smaller than the time
-    // of its tick.
+    // The requested time is a sum of periods. Because of rounding, this sum may be smaller than the
+    // time of the tick.
     const double last = time + 1e-9 * std::max(1.0, std::abs(time));
     end = std::upper_bound(
       rows.begin(), rows.end(), last, [](double t, const Row& row) { return t < row.time; });

@@ -11,18 +11,18 @@
  * its part `MemoryForce` (N), `FrictionForce` (3, N), `IdealForce` (N, magnitude of the total),
  * `ContactState` (uint8, as in vtkToolContactProbe), `ToolAxis` (3, from tip to hand) and `Torque`
  * (3, N mm, about the tip). For the device, in its own frame: `DevicePosition` (3, m) and
- * `SentForce` (3, N). Ticks without a valid sample have no tip and are left out. The field array
+ * `SentForce` (3, N). Ticks without a valid sample have no tip and are omitted. The field array
  * `RecordedSetup` has the lines of the file on body, tool, material, model and friction, such as
  * "tool: sphere:6.35".
  *
  * Time: the reader announces FrameRate time steps per second over the times of the file. The output
- * at a time t ends with the last tip whose time is at most t. This is the present tip for
+ * at a time t ends with the last tip whose time is at most t. This last tip is the present tip for
  * vtkToolContactProbe, vtkContactDeflection and vtkContactHistory. With WholePath, or if no time is
  * requested, the output is the whole path.
  *
- * Errors: no file, or a file that is not a trajectory. The error names file, line and fault; the
- * output is then empty. Cost: the file is read again when its name or its modification time
- * differs; each request copies the tips up to its time.
+ * The reader fails if there is no file, or if the file is not a trajectory. The error names file,
+ * line and fault; the output is then empty. The file is read again only when its name or its
+ * modification time has changed. Each request copies the tips up to the requested time.
  *
  * @code{.py}
  * trajectory = palpate.vtkTrajectoryReader()
@@ -55,22 +55,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file. Required. */
+  /** The name of the file. Required. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   ///@{
   /**
-   * Number of announced time steps per second, 1 to 10000. Default 25. (A session has a thousand or
-   * more ticks per second.)
+   * Number of announced time steps per second, 1 to 10000. Default 25. A session has a thousand or
+   * more ticks per second.
    */
   vtkSetClampMacro(FrameRate, double, 1.0, 10000.0);
   vtkGetMacro(FrameRate, double);
   ///@}
 
   ///@{
-  /** Whether the output has all tips, whatever time is requested. Default off. */
+  /** Whether the output has all tips, regardless of the requested time. Default off. */
   vtkSetMacro(WholePath, bool);
   vtkGetMacro(WholePath, bool);
   vtkBooleanMacro(WholePath, bool);

@@ -20,12 +20,12 @@ constexpr std::uint16_t Connexion = 0x256F;
 constexpr std::uint16_t GenericDesktopPage = 0x01;
 constexpr std::uint16_t MultiAxisController = 0x08;
 
-/// Both manufacturers also have other products. Devices with six axes have this usage and product
-/// numbers 0xC6xx.
+/// Both manufacturers also have other products. Their devices with six axes have the usage of a
+/// multi-axis controller and product numbers 0xC6xx.
 bool isSpaceMouse(const HidEntry& entry) noexcept
 {
   const bool axes = (entry.usagePage == GenericDesktopPage && entry.usage == MultiAxisController) ||
-    entry.usagePage == 0; // unknown
+    entry.usagePage == 0; // the usage is unknown
   return axes && (entry.vendor == Logitech || entry.vendor == Connexion) &&
     (entry.product & 0xFF00U) == 0xC600U;
 }
@@ -81,7 +81,8 @@ DeviceList listDevices(HidBus& bus)
     ListedDevice device;
     const bool listed = std::any_of(list.devices.begin(), list.devices.end(),
       [&entry](const ListedDevice& other) { return other.entry.path == entry.path; });
-    if (!listed && isKnown(entry, device.kind)) // a device has one entry per usage
+    // A device has one entry for each usage but is listed once.
+    if (!listed && isKnown(entry, device.kind))
     {
       device.address = "hid:" + entry.path;
       device.obstacle = bus.obstacle(entry.path);

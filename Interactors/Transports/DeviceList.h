@@ -16,43 +16,43 @@ namespace palpate
 enum class DeviceKind : std::uint8_t
 {
   Force,     ///< uses the 64-byte force reports (HidDevice)
-  SpaceMouse ///< a 3Dconnexion mouse with six axes: input only (SpaceMouseDevice)
+  SpaceMouse ///< a 3Dconnexion mouse with six axes and without force output (SpaceMouseDevice)
 };
-/// Returns "force" or "SpaceMouse".
+/// Returns the name of the kind, "force" or "SpaceMouse".
 PALPATE_EXPORT const char* inWords(DeviceKind kind) noexcept;
 
 /// A connected device that Palpate can drive.
 struct ListedDevice
 {
-  std::string address; ///< for vtkHapticDevice::Open and `palpate --device`: "hid:PATH"
+  std::string address; ///< "hid:PATH", as for vtkHapticDevice::Open and `palpate --device`
   DeviceKind kind = DeviceKind::Force;
-  HidEntry entry;       ///< path, manufacturer, name, serial number, ids
-  std::string obstacle; ///< the reason why the device cannot be opened; empty if it can be opened
+  HidEntry entry;       ///< path, manufacturer, name, serial number and ids
+  std::string obstacle; ///< reason why the device cannot be opened; empty if it can be opened
 };
 
 /// The connected HID devices.
 struct PALPATE_EXPORT DeviceList
 {
   std::vector<ListedDevice> devices; ///< sorted by path
-  /// The reason why devices may be missing, such as "built without hidapi"; empty if none are
+  /// The reason why devices may be missing, such as "built without hidapi". Empty if no devices are
   /// missing.
   std::string complaint;
 
-  /// One line per device, as printed by `palpate --list-devices`, or a line that says that there is
-  /// no device.
+  /// Returns one line per device, as printed by `palpate --list-devices`, or a line that says that
+  /// there is no device.
   std::string describe() const;
 };
 
 /// Lists the connected devices, without opening them.
 PALPATE_EXPORT DeviceList listDevices(HidBus& bus = systemHidBus());
 
-/// Opens the device at `path` ("/dev/hidraw0") as its kind requires: a HidDevice or a
-/// SpaceMouseDevice (in rate mode). If the device is neither or cannot be opened, returns null and
-/// sets `error` to the reason.
+/// Opens the device at `path` ("/dev/hidraw0") as a HidDevice or as a SpaceMouseDevice in rate
+/// mode, depending on its kind. If the device is of another kind or cannot be opened, returns null
+/// and sets `error` to the reason.
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openHidDevice(
   const std::string& path, std::string& error, HidBus& bus = systemHidBus());
 
-/// Whether Palpate can drive the device; sets its kind.
+/// Whether Palpate can drive the device. Sets `kind` if it can.
 PALPATE_EXPORT bool isKnown(const HidEntry& entry, DeviceKind& kind) noexcept;
 /// Returns the entry of the bus for this path. If the path has several usages, returns the entry
 /// with the usage that Palpate supports. If the path is not listed, the entry contains only the

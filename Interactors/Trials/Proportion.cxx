@@ -8,10 +8,12 @@ namespace palpate
 {
 namespace
 {
-constexpr int Halvings = 60; // they shorten an interval of length 80 to less than 1e-16
+// Number of halvings that shortens an interval of length 80 to less than 1e-16.
+constexpr int Halvings = 60;
 
-/// Probability of at least `successes` in `trials`, each with probability p of success in (0, 1).
-/// Terms are computed by logarithms, because the coefficients overflow for 1030 trials and more.
+/// Probability of at least `successes` in `trials`, each of which succeeds with the probability p,
+/// in (0, 1). Terms are computed by logarithms, because the coefficients overflow for 1030 trials
+/// and more.
 double upperTail(int successes, int trials, double p)
 {
   double sum = 0.0;
@@ -49,7 +51,8 @@ Proportion proportionOf(int successes, int trials, double confidence)
   result.lower = successes == 0
     ? 0.0
     : rootBetween(0.0, 1.0, [&](double p) { return upperTail(successes, trials, p) - tail; });
-  // The same tail for the failures: at least as many failures as observed.
+  // The upper limit follows from the same tail for the failures, of which at least as many as
+  // observed occur.
   result.upper = successes == trials ? 1.0
                                      : 1.0 -
       rootBetween(

@@ -17,17 +17,18 @@ struct Proportion
 };
 
 /**
- * The interval of Clopper and Pearson (1934): all probabilities p for which the results "at least
- * as many successes as observed" and "at most as many" both have a probability of at least (1 -
- * confidence) / 2. It contains the true probability with at least the given confidence, for any
- * number of trials.
+ * Computes the confidence interval of Clopper and Pearson (1934). It consists of all probabilities
+ * p for which the results "at least as many successes as observed" and "at most as many" both have
+ * a probability of at least (1 - confidence) / 2. For any number of trials, the interval contains
+ * the true probability with at least the given confidence.
  *
  * `successes` must be within 0 … trials and `confidence` within (0, 1); otherwise all results are
- * NaN. Accurate to 1e-12; costs about 10 µs per 100 trials.
+ * NaN. The results are accurate to 1e-12. The cost is about 10 µs per 100 trials.
  */
 PALPATE_EXPORT Proportion proportionOf(int successes, int trials, double confidence = 0.95);
 
-/// The quantile of the standard normal distribution; -inf for 0, +inf for 1, NaN outside.
+/// The quantile of the standard normal distribution. It is -inf for p = 0, +inf for p = 1 and NaN
+/// for p outside [0, 1].
 PALPATE_EXPORT double normalQuantile(double p);
 } // namespace palpate
 

@@ -47,7 +47,8 @@ int chosenBy(const TrialAnswer& answer)
   return answer.choseX ? answer.trial.x : answer.trial.y;
 }
 
-/// Returns the text of `correct` in a row; empty if no answer is right.
+/// Returns the text in the column `correct` for an answer. The text is empty if the trial has no
+/// right answer.
 const char* correctText(const TrialHead& head, const TrialAnswer& answer)
 {
   const int right = isRight(head, answer);
@@ -70,13 +71,14 @@ std::string headText(const TrialHead& head)
     "\n# started: " + head.started + "\n" + Columns + "\n";
 }
 
-/// Reads one line of the head after the first line; returns false if it is not such a line.
+/// Reads one line of the head after the first line. Returns false if the line does not belong to
+/// the head.
 bool readHeadLine(const CsvComment& line, TrialHead& head)
 {
   auto& alternatives = head.alternatives;
   const auto isOf = [&line](const char* what, std::size_t alternative)
   { return alternative < Letters && line.key == what + letterOf(static_cast<int>(alternative)); };
-  if (isOf("alternative ", alternatives.size())) // letters in order
+  if (isOf("alternative ", alternatives.size())) // the letters of the alternatives must be in order
   {
     alternatives.push_back({ std::string(line.value), 0.0 });
     return true;
@@ -109,7 +111,7 @@ bool readLetter(std::string_view text, std::size_t alternatives, int& number)
   return number >= 0 && static_cast<std::size_t>(number) < alternatives;
 }
 
-/// Reads the row of trial `number`; returns false if it is not consistent.
+/// Reads the row of the trial with the given number. Returns false if the row is not consistent.
 bool readRow(const CsvReader& csv, const TrialHead& head, int number, TrialAnswer& answer)
 {
   int trial = 0;
@@ -217,11 +219,12 @@ std::string TrialLog::write(const std::string& text)
 std::string TrialLog::fail(int reason)
 {
   this->Fault = "cannot write the trial log '" + this->Path + "': " + std::strerror(reason);
-  this->File.close(); // tries to write again
+  this->File.close(); // close() tries to write the buffered row again
   std::error_code ignored;
   if (std::filesystem::is_regular_file(this->Path, ignored))
   {
-    std::filesystem::resize_file(this->Path, this->Size, ignored); // removes an incomplete row
+    // Removes an incomplete row from the file.
+    std::filesystem::resize_file(this->Path, this->Size, ignored);
   }
   return this->Fault;
 }
@@ -249,7 +252,7 @@ std::string readTrialLog(const std::string& path, TrialRecord& record)
   while (csv.next())
   {
     result.answers.emplace_back();
-    // A last row without a line break was not written completely.
+    // A last row without a line break was not written completely, and is rejected.
     if (!csv.endsLine() ||
       !readRow(csv, result.head, static_cast<int>(result.answers.size()), result.answers.back()))
     {

@@ -15,33 +15,33 @@ namespace palpate
 /// One of the compared alternatives.
 struct TrialAlternative
 {
-  std::string name;       ///< one line, as given: "sphere:6.35"
-  double intensity = 0.0; ///< intensity of the compared quantity, N; 0: none
+  std::string name;       ///< one line, as given by the user, such as "sphere:6.35"
+  double intensity = 0.0; ///< intensity of the compared quantity, N; 0 if there is none
 };
 
 /// The head of a log.
 struct TrialHead
 {
-  std::vector<TrialAlternative> alternatives; ///< two or more
-  std::string question;                       ///< one line
-  /// Whether the answer with the larger intensity is right. If not, there is no right answer.
+  std::vector<TrialAlternative> alternatives; ///< at least two alternatives
+  std::string question;                       ///< text of the question, one line
+  /// Whether the answer with the larger intensity is right. If false, no answer counts as right.
   bool hasRightAnswer = false;
   std::uint64_t seed = 0;
-  double forceFactor = 1.0; ///< factor on the forces of all alternatives
+  double forceFactor = 1.0; ///< factor by which the forces of all alternatives are multiplied
   std::string device;       ///< description of the device, one line
-  std::string started;      ///< date and time
+  std::string started;      ///< date and time of the start
 };
 
-/// One answer: a row of the log.
+/// One answer, which is one row of the log.
 struct TrialAnswer
 {
   Trial trial;
   bool choseX = false;
-  double seconds = 0.0; ///< time from the beginning of the trial to the answer
+  double seconds = 0.0; ///< time from the beginning of the trial to the answer, s
   int switches = 0;     ///< number of switches between X and Y before the answer
 };
 
-/// A log as read from a file.
+/// The content of a log file.
 struct TrialRecord
 {
   TrialHead head;
@@ -51,7 +51,7 @@ struct TrialRecord
 /**
  * The log of a blind comparison: a CSV file with a head of lines that begin with '#', then a row
  * per answer. A row is written as soon as the answer is given, so that an aborted session keeps all
- * answers. If the disk has no space for a row, this is an error, and the preceding rows are
+ * answers. If the disk has no space for a row, append returns an error, and the preceding rows are
  * unchanged.
  *
  *   # palpate trial 1
@@ -62,15 +62,15 @@ struct TrialRecord
  *   trial,x,y,answer,chosen,correct,seconds,switches
  *   1,B,A,X,B,1,3.25,2
  *
- * Alternatives are the letters A, B, …; `correct` is empty if no answer is right. An existing file
- * is not overwritten, because a log cannot be recovered.
+ * The alternatives are named by the letters A, B, …. `correct` is empty if the trial has no right
+ * answer. An existing file is not overwritten, because a log cannot be recovered.
  */
 class PALPATE_EXPORT TrialLog
 {
 public:
-  /// Creates the file and writes its head. Returns an error that names the file, or "".
+  /// Creates the file and writes its head. Returns "" or an error that names the file.
   std::string open(const std::string& path, const TrialHead& head);
-  /// Returns an error that names the file, or "".
+  /// Appends an answer to the file. Returns "" or an error that names the file.
   std::string append(const TrialAnswer& answer);
 
 private:
@@ -81,14 +81,15 @@ private:
   TrialHead Head;
   std::ofstream File;
   int Rows = 0;
-  std::uintmax_t Size = 0; ///< size of the file without an incomplete row
-  std::string Fault;       ///< the first error; after it nothing more is written
+  std::uintmax_t Size = 0; ///< size of the file without an incomplete row, bytes
+  std::string Fault;       ///< the first error, after which nothing more is written
 };
 
 /// Returns 1 if the answer is right, 0 if it is wrong, -1 if this trial has no right answer.
 PALPATE_EXPORT int isRight(const TrialHead& head, const TrialAnswer& answer);
 
-/// Reads a log. Returns "", or an error that names file and line; `record` is then unchanged.
+/// Reads a log. Returns "" on success. Otherwise returns an error that names file and line, and
+/// leaves `record` unchanged.
 PALPATE_EXPORT std::string readTrialLog(const std::string& path, TrialRecord& record);
 } // namespace palpate
 

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 /// Returns a random number below `count`, uniformly distributed. The distributions and the shuffle
-/// of the standard library are not used, because they differ between implementations.
+/// of the standard library are not used, because their results differ between implementations.
 std::size_t drawBelow(std::mt19937_64& random, std::size_t count)
 {
   const std::uint64_t largest = std::mt19937_64::max();

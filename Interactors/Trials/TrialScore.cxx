@@ -13,10 +13,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double Criterion = 0.75; // half-way between guessing and certainty
+constexpr double Criterion = 0.75; // half-way between guessing (0.5) and certainty (1)
 
-/// Returns the difference that is recognised at the criterion, if `difference` is recognised in the
-/// fraction `share` of the trials.
+/// Returns the difference that is recognised in the fraction Criterion of the trials, if
+/// `difference` is recognised in the fraction `share` of the trials.
 double differenceAtCriterion(double difference, double share)
 {
   return share > 0.5 ? difference * normalQuantile(Criterion) / normalQuantile(share)
@@ -65,7 +65,8 @@ std::string inWords(double difference)
   return std::isfinite(difference) ? text.str() : "no limit";
 }
 
-/// Whether the two alternatives were distinguished, according to the interval.
+/// Returns the verdict, according to the confidence interval, on whether the two alternatives were
+/// distinguished.
 const char* verdict(const Proportion& correct)
 {
   if (correct.lower > 0.5)

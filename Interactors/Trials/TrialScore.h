@@ -11,19 +11,20 @@
 
 namespace palpate
 {
-/// The result for two alternatives. The intervals are those of proportionOf, 95 %.
+/// The result for two alternatives. The intervals are those of proportionOf with 95 % confidence.
 struct PairScore
 {
-  int first = 0; ///< index of an alternative
+  int first = 0; ///< index of the first alternative
   int second = 0;
-  Proportion firstChosen; ///< how often the first alternative was chosen
+  Proportion firstChosen; ///< fraction of the trials in which the first alternative was chosen
   bool hasRightAnswer = false;
-  Proportion correct; ///< how often the alternative with the larger intensity was chosen
+  Proportion correct; ///< fraction of the trials in which the alternative with the larger intensity
+                      ///< was chosen
   /// Difference of the two intensities relative to their mean; 0 if there is no right answer.
   double difference = 0.0;
   /// The relative difference that would be recognised in 75 % of the trials, computed from the
-  /// estimate and from both ends of the interval. Infinite if answers are no better than guesses, 0
-  /// if all are right.
+  /// estimate and from both ends of the interval. Infinite if the answers are no better than
+  /// guesses, 0 if all answers are right.
   double justNoticeable = 0.0;
   double justNoticeableLower = 0.0;
   double justNoticeableUpper = 0.0;
@@ -32,8 +33,9 @@ struct PairScore
 /// The result of a blind comparison.
 struct TrialScore
 {
-  Proportion xChosen;           ///< the interval excludes 0.5 if X is preferred or avoided
-  std::vector<PairScore> pairs; ///< the pairs that were asked
+  Proportion xChosen; ///< fraction of the trials in which X was chosen; if the interval excludes
+                      ///< 0.5, X is preferred or avoided
+  std::vector<PairScore> pairs; ///< one element for each pair that was asked
 };
 
 /**
@@ -46,7 +48,7 @@ struct TrialScore
  */
 PALPATE_EXPORT TrialScore scoreTrials(const TrialRecord& record);
 
-/// The score as readable text, one string per line.
+/// Describes the score as readable text, one string per line.
 PALPATE_EXPORT std::vector<std::string> describeScore(
   const TrialHead& head, const TrialScore& score);
 } // namespace palpate

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# CHOLMOD of SuiteSparse, with the BLAS it calls: the target SuiteSparse::CHOLMOD.
+# Finds CHOLMOD of SuiteSparse and the BLAS that it calls. Defines the target SuiteSparse::CHOLMOD.
 find_path(CHOLMOD_INCLUDE_DIR NAMES cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY NAMES cholmod)
 find_package(BLAS QUIET)

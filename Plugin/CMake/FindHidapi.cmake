@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# hidapi, on Linux the one that goes through hidraw, which several processes may open at a time.
+# Finds hidapi. On Linux it is the variant for hidraw, which several processes may open at the same time.
 find_path(HIDAPI_INCLUDE_DIR NAMES hidapi.h PATH_SUFFIXES hidapi)
 find_library(HIDAPI_LIBRARY NAMES hidapi-hidraw hidapi)
 include(FindPackageHandleStandardArgs)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# How every target is compiled: the language, the output folders, warnings and sanitizers.
+# The settings for all targets: language, output folders, warnings and sanitizers.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Where things go below the prefix, and below the build folder likewise. On Debian as its packages have it, for
-# any prefix, so that what is installed by hand is what ./run package packs; CMAKE_INSTALL_LIBDIR wins.
+# Folders below the prefix, which are also used below the build folder. On Debian they are those of Debian's packages
+# for any prefix, so that an installation by hand is equal to the packages of ./run package. CMAKE_INSTALL_LIBDIR takes
+# precedence.
 if(EXISTS "/etc/debian_version" AND CMAKE_LIBRARY_ARCHITECTURE AND CMAKE_INSTALL_LIBDIR STREQUAL "lib")
   set(CMAKE_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
   set(PALPATE_INSTALL_PYTHONDIR "lib/python3/dist-packages")
@@ -20,21 +21,22 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 file(RELATIVE_PATH palpate_bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${palpate_bin_to_lib}")
 
-# The same formula must give the same bits in every kernel: no fused multiply-add behind our back.
+# The same formula must give the same bits in every kernel. Therefore fused multiply-add is off.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
 
 if(PALPATE_SANITIZE)
   add_compile_options(-fsanitize=${PALPATE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
-  add_compile_options(-fno-sanitize=object-size,null) # the address sanitizer tells both; a fifth of the time
+  add_compile_options(-fno-sanitize=object-size,null) # the address sanitizer reports both; saves a fifth of the time
 endif()
-# libFuzzer sees which branches of a target are taken.
+# Lets libFuzzer observe which branches of a target are taken.
 function(palpate_trace_branches target)
   target_compile_options(${target} PRIVATE $<$<BOOL:${PALPATE_BUILD_FUZZERS}>:-fsanitize=fuzzer-no-link>)
 endfunction()
 
-# Calls inside a library of the kernels go straight to the function, not through the table in which another library
-# could put its own: a servo tick takes a dozen. What is exported stays so. Not under sanitizers, which put theirs.
+# Calls inside a kernel library are direct, not through the table in which another library could replace a function. A
+# servo tick makes about a dozen such calls. The exported functions do not change. Not used with sanitizers, which
+# replace functions.
 set(PALPATE_DIRECT_CALLS "")
 if(NOT PALPATE_SANITIZE AND NOT PALPATE_BUILD_FUZZERS)
   include(CheckCXXCompilerFlag)
@@ -46,7 +48,7 @@ if(NOT PALPATE_SANITIZE AND NOT PALPATE_BUILD_FUZZERS)
   endif()
 endif()
 
-# Call on every target of our own; never on generated wrapper code.
+# Must be called for every target with Palpate's own code, and not for generated wrapper code.
 function(palpate_warnings target)
   set(gnu $<CXX_COMPILER_ID:GNU>)
   target_compile_options(${target} PRIVATE
@@ -56,8 +58,8 @@ function(palpate_warnings target)
     $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
 endfunction()
 
-# Up to twelve sources of a folder are compiled as one, since most of the time goes into headers that all of
-# them include: what two files of a folder define for themselves needs two names. Not what is generated.
+# Compiles up to twelve sources of a folder as one, because most of the time is spent on headers that all of them
+# include. Therefore local names must differ between the files of a folder. Generated sources are not grouped.
 option(PALPATE_GROUP_SOURCES "Compile sources in groups; off, a change compiles one file" ON)
 function(palpate_group_sources target)
   if(NOT PALPATE_GROUP_SOURCES)
@@ -78,12 +80,12 @@ function(palpate_group_sources target)
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # g++ takes a class of one of the files for one of a header.
+  # g++ assumes that a class of one of the files is declared in a header.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
-# The name programs ask for (soname) has the part of the version that changes when they must be built again:
-# the first two numbers before 1.0, the first from then on.
+# The soname of a library contains the part of the version that changes when programs must be rebuilt: the first two
+# numbers before version 1.0, and the first number after that.
 set(PALPATE_SOVERSION ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   string(APPEND PALPATE_SOVERSION ".${PROJECT_VERSION_MINOR}")
@@ -92,10 +94,10 @@ function(palpate_version_library target)
   set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PALPATE_SOVERSION})
 endfunction()
 
-# Where the rooms stand, in each of which a header is found by its room and folder.
+# The folders of the rooms. A header is included by its room and its folder in the room.
 set(PALPATE_ROOMS "${PROJECT_SOURCE_DIR}/Filters;${PROJECT_SOURCE_DIR}/Interactors")
 
-# Installs headers of a room as they are included: include/palpate/ROOM/FOLDER/NAME.h.
+# Installs the headers of a room under the path by which they are included: include/palpate/ROOM/FOLDER/NAME.h.
 function(palpate_install_headers room)
   foreach(header IN LISTS ARGN)
     get_filename_component(folder "${room}/${header}" DIRECTORY)
@@ -115,16 +117,19 @@ function(palpate_install_former_headers room)
   endwhile()
 endfunction()
 
-# A kernel library: plain C++ and Eigen, no VTK. Sources are NAME.h and NAME.cxx of each of the
-# CLASSES and PRIVATE_CLASSES, and what is named besides. A header is included by its room and folder,
-# "Contact/PackedMesh.h", and installed so. Nothing is exported but what PALPATE_EXPORT marks in installed headers;
-# what is private is not installed, and found by tests in palpate${name}Inside, an archive of the same objects.
-# FUZZED: a fuzzer tests it. READS_BYTES: it reads bytes as numbers, so that a sanitizer checks their alignment; elsewhere Eigen
-# checks, and a sanitizer that does so too takes a fifth of the time.
-# LOADED: the core loads it by loadModule ("Mechanics/Files/ModuleFile.h") where a program does not link it; it is a shared
-# library in any case, and knows the version it tells as PALPATE_VERSION.
-# FORMER: pairs of a header that was, and the one which holds its content now; programs of before go on to include it.
-# FORMER_FOLDERS: pairs of a folder in which headers were, and the one in which they are now. Both from the room.
+# Adds a kernel library, which uses plain C++ and Eigen but not VTK. The sources are NAME.h and NAME.cxx for each of
+# CLASSES and PRIVATE_CLASSES, and the files in SOURCES, HEADERS and PRIVATE_HEADERS. A header is included and installed
+# by its room and folder, as in "Contact/PackedMesh.h". Only symbols marked by PALPATE_EXPORT in installed headers are
+# exported. Private headers are not installed. Tests of private classes link palpate${name}Inside, an archive of the
+# same objects.
+# FUZZED: a fuzzer tests the library.
+# READS_BYTES: the library reads bytes as numbers, so that a sanitizer checks their alignment. In other libraries Eigen
+# checks the alignment, because the sanitizer would need another fifth of the time.
+# LOADED: the core loads the library by loadModule ("Mechanics/Files/ModuleFile.h") if the program does not link it. The
+# library is always shared, and the macro PALPATE_VERSION contains its version.
+# FORMER: pairs of a former header and the header that now has its content. Earlier programs still include the former
+# header.
+# FORMER_FOLDERS: pairs of a former folder of headers and their present folder. Both are relative to the room.
 function(palpate_add_kernel name)
   cmake_parse_arguments(arg "FUZZED;READS_BYTES;LOADED" "" "CLASSES;PRIVATE_CLASSES;SOURCES;HEADERS;PRIVATE_HEADERS;FORMER;FORMER_FOLDERS;LINK" ${ARGN})
   set(headers ${arg_HEADERS})
@@ -138,7 +143,7 @@ function(palpate_add_kernel name)
     list(APPEND private_headers ${class}.h)
     list(APPEND sources ${class}.cxx)
   endforeach()
-  set(folders "") # programs of before include an installed header by its name alone
+  set(folders "") # earlier programs include an installed header by its name alone
   foreach(header IN LISTS headers)
     get_filename_component(folder "${name}/${header}" DIRECTORY)
     list(APPEND folders "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate/${folder}>")
@@ -163,23 +168,23 @@ function(palpate_add_kernel name)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   palpate_warnings(palpate${name})
   palpate_group_sources(palpate${name})
-  # Of null pointers g++ 14 warns falsely.
+  # g++ 14 gives false warnings about null pointers.
   set(falsely $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,14>>)
   target_compile_options(palpate${name} PRIVATE
-    -Wpedantic $<$<NOT:${falsely}>:-Wnull-dereference> # VTK's headers fail both
-    -fno-math-errno # a square root is one instruction
+    -Wpedantic $<$<NOT:${falsely}>:-Wnull-dereference> # VTK's headers violate both
+    -fno-math-errno # makes a square root one instruction
     ${PALPATE_DIRECT_CALLS})
   if(arg_FUZZED)
     palpate_trace_branches(palpate${name})
   endif()
-  if(PALPATE_SANITIZE STREQUAL "thread") # only what its tests link
+  if(PALPATE_SANITIZE STREQUAL "thread") # builds only libraries that the tests link
     set_target_properties(palpate${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
   if(PALPATE_SANITIZE AND NOT arg_READS_BYTES)
     target_compile_options(palpate${name} PRIVATE -fno-sanitize=alignment)
   endif()
   if(PALPATE_DIRECT_CALLS)
-    target_link_options(palpate${name} PRIVATE -Wl,-Bsymbolic-functions -Wl,-z,defs) # defs: nothing undefined
+    target_link_options(palpate${name} PRIVATE -Wl,-Bsymbolic-functions -Wl,-z,defs) # defs: no undefined symbols
   endif()
   palpate_version_library(palpate${name})
   install(TARGETS palpate${name} EXPORT PalpateKernels

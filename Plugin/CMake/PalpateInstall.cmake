@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The CMake package: find_package(Palpate) for the VTK modules, and
-# find_package(Palpate COMPONENTS Contact Haptics) for the kernels alone, without VTK.
+# Installs the CMake package. find_package(Palpate) finds the VTK modules, and
+# find_package(Palpate COMPONENTS Contact Haptics) finds only kernels, without VTK.
 include(CMakePackageConfigHelpers)
 
 set(palpate_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/palpate")

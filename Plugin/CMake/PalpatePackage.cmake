@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Two Debian packages of what was built, for the system it was built on (./run package): palpate to use, palpate-dev
-# to build against. Install components runtime, python, plugin and development; Debian holds what only a
-# package has, and is not part of a plain cmake --install. Why it is as it is: Plugin/Package/README.md.
+# Makes two Debian packages of the build, for the system on which it was built (./run package): palpate for users, and
+# palpate-dev for developers. They contain the install components runtime, python, plugin and development. The component
+# Debian contains the files that only a package has; cmake --install does not install it by default.
+# Plugin/Package/README.md gives the reasons.
 set(palpate_package_dir "${PROJECT_SOURCE_DIR}/Plugin/Package")
 set(palpate_doc_dir "${CMAKE_INSTALL_DATADIR}/doc")
 
@@ -9,7 +10,7 @@ if(NOT TARGET palpate OR CMAKE_CROSSCOMPILING OR PALPATE_SANITIZE)
   return()
 endif()
 
-# --- The program among others: man page, completion, menu
+# --- Integration of the program: man page, completion, menu
 set(palpate_described "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DATADIR}/described")
 add_custom_command(
   OUTPUT "${palpate_described}/palpate.1.gz" "${palpate_described}/palpate"
@@ -20,7 +21,7 @@ add_custom_command(
   VERBATIM)
 add_custom_target(palpateDescribed ALL
   DEPENDS "${palpate_described}/palpate.1.gz" "${palpate_described}/palpate")
-# All that is packed, and no tests.
+# All components that are packed; tests are not.
 add_custom_target(palpatePacked DEPENDS palpateDescribed)
 foreach(target IN ITEMS Palpate palpatePython palpateModules)
   if(TARGET ${target})
@@ -35,7 +36,7 @@ install(FILES "${palpate_package_dir}/palpate.desktop"
 install(FILES "${palpate_package_dir}/palpate.svg"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps" COMPONENT runtime)
 
-# --- What both packages say of themselves
+# --- Description of both packages
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "press a tool against a body, see and feel the force")
 set(CPACK_PACKAGE_NAME palpate)
@@ -72,7 +73,7 @@ set(palpate_vtk_dev paraview-dev)
 if(ParaView_FOUND OR VTK_DIR MATCHES "paraview")
   string(APPEND CPACK_DEBIAN_PALPATE_PACKAGE_DEPENDS ", paraview, python3-paraview")
 endif()
-if(NOT VTK_DIR MATCHES "paraview") # Debian's ParaView before 6 has a VTK of its own
+if(NOT VTK_DIR MATCHES "paraview") # before version 6, Debian's ParaView has a VTK of its own
   string(APPEND CPACK_DEBIAN_PALPATE_PACKAGE_DEPENDS ", python3-vtk9")
   set(palpate_vtk_dev libvtk9-dev)
 endif()
@@ -87,7 +88,8 @@ This package holds the program palpate, its shared libraries, the plugin for
 ParaView, which loads by itself, the Python module palpate, and a udev rule
 for haptic devices.")
 
-# --- palpate-dev: what its CMake package finds. A VTK with MPI looks for it, but paraview-dev does not bring it.
+# --- palpate-dev, with the dependencies of its CMake package. A VTK with MPI needs MPI, on which paraview-dev does not
+# depend.
 set(CPACK_DEBIAN_PALPATE-DEV_PACKAGE_NAME palpate-dev)
 set(CPACK_DEBIAN_PALPATE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PALPATE-DEV_PACKAGE_DEPENDS "palpate (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libeigen3-dev, ${palpate_vtk_dev}, mpi-default-dev")
@@ -99,7 +101,7 @@ rates.
 This package holds the headers for C, C++ and VTK, the CMake package Palpate,
 and the sources and the protocol for self-built force devices.")
 
-# --- Where ParaView looks for plugins: its own list, and one line more.
+# --- The list in which ParaView looks for plugins, extended by one line.
 set(palpate_diverted "")
 if(ParaView_FOUND AND TARGET Palpate)
   set(palpate_paraview_dir "${CMAKE_INSTALL_LIBDIR}/paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
@@ -108,7 +110,7 @@ if(ParaView_FOUND AND TARGET Palpate)
   set(palpate_lists "")
   if(EXISTS "${palpate_conf}")
     set(palpate_diverted "${palpate_conf}")
-    if(EXISTS "${palpate_conf}.distrib") # Palpate is installed here
+    if(EXISTS "${palpate_conf}.distrib") # Palpate is installed on this system
       string(APPEND palpate_conf ".distrib")
     endif()
     file(STRINGS "${palpate_conf}" palpate_lists)
@@ -124,7 +126,7 @@ if(ParaView_FOUND AND TARGET Palpate)
     COMPONENT Debian EXCLUDE_FROM_ALL)
 endif()
 
-# --- What Debian asks of a package
+# --- Files that Debian requires of a package
 string(TIMESTAMP palpate_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${palpate_package_dir}/Debian/changelog.in" "${CMAKE_BINARY_DIR}/Debian/changelog.Debian" @ONLY)
 find_program(PALPATE_GZIP gzip)
@@ -149,7 +151,7 @@ if(palpate_diverted)
   set(palpate_undivert
     "dpkg-divert --package palpate --remove --rename --divert \"${palpate_diverted}.distrib\" \"${palpate_diverted}\"")
 else()
-  set(palpate_undivert ":") # without a postrm CPack would add one that calls ldconfig: there is a trigger for that
+  set(palpate_undivert ":") # without a postrm, CPack would add one that calls ldconfig, for which a trigger exists
 endif()
 foreach(script IN LISTS palpate_scripts)
   configure_file("${palpate_package_dir}/Debian/${script}.in" "${CMAKE_BINARY_DIR}/Debian/${script}" @ONLY

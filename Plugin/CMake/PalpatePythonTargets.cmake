@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Since Debian 13 paraview-dev names Python modules that are not there: vtkCommonCore.so, where the file is
-# vtkCommonCore.cpython-313-x86_64-linux-gnu.so. CMake then ends in find_package().
+# Since Debian 13, paraview-dev names Python modules that do not exist, such as vtkCommonCore.so. The file is called
+# vtkCommonCore.cpython-313-x86_64-linux-gnu.so. CMake then fails in find_package().
 
-# palpate_read_python_targets(FILE ...): where an import file (…Python-targets.cmake) names files that are not
-# there, reads a copy of it in the build folder, which names those that are and asks for none. To be called
-# before find_package(): a second import file leaves alone what the first has defined.
+# palpate_read_python_targets(FILE ...): if an import file (…Python-targets.cmake) names files that do not exist, includes
+# a corrected copy in the build folder, which names the existing files and does not check them. Must be called before
+# find_package(), because a later import file does not change targets that are already defined.
 function(palpate_read_python_targets)
   foreach(file IN LISTS ARGN)
     _palpate_read_python_targets("${file}")
@@ -14,12 +14,12 @@ endfunction()
 function(_palpate_read_python_targets file)
   get_filename_component(folder "${file}" DIRECTORY)
   get_filename_component(name "${file}" NAME_WE)
-  file(GLOB parts "${folder}/${name}-*.cmake") # a part per build type says where the modules are
+  file(GLOB parts "${folder}/${name}-*.cmake") # one part per build type contains the paths of the modules
   get_filename_component(root "${folder}" REALPATH)
   while(NOT root MATCHES "/lib[^/]*$" AND NOT root STREQUAL "/")
     get_filename_component(root "${root}" DIRECTORY)
   endwhile()
-  get_filename_component(root "${root}" DIRECTORY) # what the import file calls its prefix
+  get_filename_component(root "${root}" DIRECTORY) # the prefix of the import file
   set(copy "${CMAKE_BINARY_DIR}/python-targets")
   set(faulty FALSE)
   foreach(part IN LISTS parts)

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The VTK side: finds VTK (ParaView's own where ParaView is installed), builds our VTK modules and
-# their Python wrapping. Only Plugin/ParaView may need ParaView itself.
+# Finds VTK (that of ParaView if ParaView is installed), and builds Palpate's VTK modules and their Python
+# wrapping. Only Plugin/ParaView may need ParaView itself.
 option(PALPATE_USE_PARAVIEW "Take VTK from an installed ParaView" ON)
 option(PALPATE_BUILD_PLUGIN "Build ParaView's plugin; its VTK alone needs far fewer packages" ON)
 include(PalpatePythonTargets)
 
-set(palpate_packages "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake") # where Debian has them
+set(palpate_packages "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake") # the folder on Debian
 set(palpate_vtk_found OFF)
 set(palpate_vtk_of_paraview)
 if(PALPATE_USE_PARAVIEW)
   file(GLOB palpate_vtk_of_paraview "${palpate_packages}/paraview-*/vtk")
   file(GLOB palpate_python_targets "${palpate_packages}/paraview-*/vtk/VTKPython-targets.cmake")
-  if(NOT palpate_python_targets) # since 6 Debian's ParaView is built on plain VTK
+  if(NOT palpate_python_targets) # since version 6, Debian's ParaView uses plain VTK
     file(GLOB palpate_python_targets "${palpate_packages}/vtk-*/VTKPython-targets.cmake")
   endif()
   file(GLOB palpate_paraview_targets "${palpate_packages}/paraview-*/ParaViewPython*-targets.cmake")
@@ -73,11 +73,11 @@ foreach(palpate_module IN LISTS palpate_modules)
   palpate_version_library(${palpate_target})
   set_target_properties(${palpate_target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(PALPATE_DIRECT_CALLS)
-    target_link_options(${palpate_target} PRIVATE -Wl,-z,defs) # a module needs no more than a library exports
+    target_link_options(${palpate_target} PRIVATE -Wl,-z,defs) # a module uses only exported symbols of the libraries
   endif()
 endforeach()
 
-add_custom_target(palpatePython) # the package, as far as this VTK allows
+add_custom_target(palpatePython) # the Python package, as far as this VTK permits
 foreach(target IN ITEMS palpateMesher palpateStrain palpateTransports)
   if(TARGET ${target})
     add_dependencies(palpatePython ${target})
@@ -88,7 +88,7 @@ if(TARGET VTK::WrappingPythonCore AND TARGET Python3::Module)
   set(PALPATE_WITH_PYTHON ON)
 endif()
 if(PALPATE_WITH_PYTHON)
-  block() # the modules in palpate/ find the libraries when installed
+  block() # installed modules in palpate/ find the libraries
   file(RELATIVE_PATH palpate_python_to_lib "/${PALPATE_INSTALL_PYTHONDIR}/palpate" "/${CMAKE_INSTALL_LIBDIR}")
   list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/${palpate_python_to_lib}")
   vtk_module_wrap_python(
@@ -105,7 +105,7 @@ if(PALPATE_WITH_PYTHON)
     string(REGEX REPLACE "^P" "p" palpate_target "${palpate_target}")
     add_dependencies(palpatePython ${palpate_target})
     set_target_properties(${palpate_target} PROPERTIES UNITY_BUILD ${PALPATE_GROUP_SOURCES} UNITY_BUILD_BATCH_SIZE 8)
-    target_compile_options(${palpate_target} PRIVATE -O1) # passes arguments on
+    target_compile_options(${palpate_target} PRIVATE -O1) # the code only passes arguments
   endforeach()
 else()
   message(STATUS "No Python wrapping in this VTK, or no headers of Python: the package 'palpate' is not built")

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Completes type stubs that VTK's generate_pyi has made: imports the classes that they name and do not define.
+"""Completes type stubs made by VTK's generate_pyi: adds imports of the classes that a stub uses but does not define.
 
-    complete_stubs.py FOLDER MODULE ...     of the package palpate in FOLDER
+    complete_stubs.py FOLDER MODULE ...     FOLDER contains the package palpate
 
-VTK 9.1 writes 'vtkPolyData' for a class of another module. A class that no loaded module has becomes Any. The stubs
-export their classes alone, so that `from .MODULE import *` of two of them does not define helpers twice.
+VTK 9.1 writes 'vtkPolyData' for a class of another module. A class that no loaded module contains is replaced by Any.
+The stubs export only their classes, so that `from .MODULE import *` of two stubs does not define helpers twice.
 """
 import importlib
 import re
@@ -16,7 +16,7 @@ END_OF_HEAD = re.compile(r"^(?=class )", re.MULTILINE)
 
 
 def home_of(name, own):
-    """The module that has a class."""
+    """Returns the module that contains a class."""
     for module in sorted(key for key in sys.modules if key.startswith(("vtkmodules.vtk", "palpate."))):
         found = getattr(sys.modules[module], name, None)
         if module != own and isinstance(found, type) and found.__module__ == module:

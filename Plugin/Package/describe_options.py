@@ -25,10 +25,10 @@ NAMES = re.compile(r"\s+((?:(?:-\w|--?!?[a-z][\w-]*)(?:\{\w+\})?,?\s*)+)(.*)")
 
 
 class Option:
-    """One option: its names, the type of its value ("" for a flag), its default and its description."""
+    """An option with its names, the type of its value ("" for a flag), its default and its description."""
 
     def __init__(self, names, spec):
-        """spec: the text between names and description, for example "FLOAT:POSITIVE=2 Needs: --voxel"."""
+        """`spec` is the text between names and description, such as "FLOAT:POSITIVE=2 Needs: --voxel"."""
         self.names = names
         self.text = ""
         spec, *self.excluded = re.split(r" *\bExcludes: ", spec)
@@ -39,7 +39,7 @@ class Option:
         self.default = default[0].strip("[] ") if default else ""
 
     def words(self):
-        """The possible values; empty if any value is possible."""
+        """Returns the possible values. The list is empty if any value is possible."""
         listed = re.search(r"\{([^}]*)\}", self.type)
         for name in self.names:
             if name in WORDS:
@@ -50,7 +50,7 @@ class Option:
         return self.type.startswith(("FLOAT", "INT", "UINT"))
 
     def value(self):
-        """The value in the form of the man page."""
+        """Returns the value in the form of the man page."""
         kind = self.type.removeprefix("TEXT:")
         if not self.type or re.fullmatch(r"[\w:|,]+", kind) and self.type.startswith("TEXT"):
             return kind
@@ -71,7 +71,7 @@ class Option:
 
 
 def read_help(text):
-    """The options, and the paragraphs after them as (heading, lines)."""
+    """Returns the options, and the paragraphs after them as (heading, lines)."""
     options, paragraphs, reading = [], [], False
     for line in text.splitlines():
         if re.fullmatch(r"options:", line, re.IGNORECASE):

@@ -73,7 +73,7 @@ build_kernels()
     exec nice ninja -C "$release_dir" palpateLaws palpateHaptics
 }
 
-# Reads ninja's lines "[done/all] what" and shows the progress and the estimated remaining time.
+# Reads ninja's lines "[done/all] step" and shows the progress and the estimated remaining time.
 show_build()
 {
   local line start=$SECONDS finished all left

@@ -22,15 +22,16 @@ namespace palpate
 namespace
 {
 const char* const CacheResponse = "Cached";
-constexpr double CacheDepth = 2.0; // mm; any value is possible
+// Depth of the cached response, mm; any value is possible, because the response is not used.
+constexpr double CacheDepth = 2.0;
 
-/// A point array of a body, and the array of the cached response that holds it.
+/// A point array of the body, and the array of the cached response in which it is stored.
 struct CarriedArray
 {
   const char* name;
   ResponseArray carrier;
 };
-// Arrays of one float per point, whose values are not used.
+// Response arrays with one float per point, whose own values are not needed.
 constexpr std::array<CarriedArray, 2> Carried = { {
   { "LayerThickness", ResponseArray::Validity },
   { "LayerThicknessError", ResponseArray::Range },
@@ -51,8 +52,9 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   key << std::filesystem::absolute(path, failed).string() << '|' << size << '|'
       << time.time_since_epoch().count() << '|' << options.lengthScale << '|' << options.resolution
       << '|' << options.contourValue << '|' << options.closingRadius
-      << "|placed by the header"    // skins of earlier versions were not placed by the header
-      << "|error of the thickness"; // nor did they have this array
+      << "|placed by the header" // because earlier versions did not use the header for the position
+                                 // of skins
+      << "|error of the thickness"; // because earlier versions did not store this array
   if (options.baseValue)
   {
     key << "|bone below " << *options.baseValue;
@@ -60,8 +62,8 @@ std::string cacheFile(const std::string& path, const BodyFileOptions& options)
   return cachePlace("skin", key.str(), ".palpate");
 }
 
-/// Makes the normals of the response the active normals. With `thickness`, makes the arrays of the
-/// response that hold the thickness and its error arrays of the body. Removes the response itself.
+/// Returns the cached body without its response. The normals of the response become the active
+/// normals. With `thickness`, the thickness and its error become arrays of the body.
 vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness)
 {
   auto body = vtkSmartPointer<vtkPolyData>::New();
@@ -84,7 +86,7 @@ vtkSmartPointer<vtkPolyData> withoutResponse(vtkPolyData* cached, bool thickness
 }
 
 /// Stores a body in the flat file format, which requires a response. The response itself is not
-/// used. Some of its arrays hold arrays of the body.
+/// used, but some of its arrays contain arrays of the body.
 std::string store(vtkPolyData* body, const std::string& file)
 {
   const std::string unmade = makeCacheFolder(file);

@@ -21,7 +21,7 @@
 
 namespace
 {
-/** Adds LayerThickness and its error, in the file's unit of length, to the skin of a scan. */
+/** Adds LayerThickness (in the file's unit of length) and its error to the skin of a scan. */
 vtkSmartPointer<vtkPolyData> withThickness(
   vtkPolyData* skin, vtkImageData* scan, const palpate::BodyFileOptions& options)
 {
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> withThickness(
   return thickness->GetOutput();
 }
 
-/** The outer skin of a scan. */
+/** Returns the outer skin of a scan. */
 vtkSmartPointer<vtkPolyData> skinOf(
   vtkImageData* scan, const palpate::BodyFileOptions& options, std::vector<std::string>& notes)
 {
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> skinOf(
   return skin->GetOutput();
 }
 
-/** Multiplies a point array of a body, if the body has it. */
+/** Multiplies a point array of a body by a factor, if the body has the array. */
 void scaleArray(vtkPolyData* body, const char* name, double factor)
 {
   vtkDataArray* given = body->GetPointData()->GetArray(name);
@@ -75,7 +75,7 @@ void scaleArray(vtkPolyData* body, const char* name, double factor)
   body->GetPointData()->AddArray(scaled);
 }
 
-/** The reason why the data are not a body, without the filter's prefix. */
+/** Returns the reason why the data are not a body, without the prefix of the filter's message. */
 std::string bodyProblem(const palpate::CollectingWindow* complaints)
 {
   const std::string before = "Wrong input: ";
@@ -114,7 +114,7 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
   vtkNew<vtkBodySurface> surface;
   surface->SetInputData(content);
   surface->SetLengthScale(options.lengthScale);
-  surface->AskAboutSizeOff(); // the question is asked below, with the name of the option
+  surface->AskAboutSizeOff(); // the question is asked below, where it can name the option
   surface->Update();
   if (complaints->hasFailed())
   {
@@ -126,7 +126,7 @@ std::string readSurface(const std::string& path, const palpate::BodyFileOptions&
     const std::string& reason = complaints->reason();
     return palpate::joined("holds no triangles", reason.empty() ? "" : ": ", reason);
   }
-  // The file's unit of length becomes the millimetre.
+  // The unit of length of the arrays is converted to mm.
   scaleArray(body, "LayerThickness", options.lengthScale);
   scaleArray(body, "LayerThicknessError", 1.0 / options.lengthScale);
   for (int i = 0; i < surface->GetNumberOfNotes(); ++i)

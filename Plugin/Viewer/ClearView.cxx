@@ -19,11 +19,12 @@ namespace palpate
 namespace
 {
 constexpr int Around = 12;        // number of directions at each angle from the preferred direction
-constexpr double AngleStep = 7.5; // degrees
-// Degrees between view and normal. At a smaller angle the tool is seen nearly end-on.
+constexpr double AngleStep = 7.5; // step between these angles, degrees
+// Smallest angle between view and normal, degrees. At a smaller angle the tool would be seen nearly
+// end-on.
 constexpr double LeastAngle = 25.0;
-constexpr double MostAngle = 75.0;   // degrees between view and normal
-constexpr double LeastFromUp = 20.0; // degrees between view and the upward axis
+constexpr double MostAngle = 75.0;   // largest angle between view and normal, degrees
+constexpr double LeastFromUp = 20.0; // smallest angle between view and upward axis, degrees
 // Height of Site::above over the surface, as a fraction of the body's diagonal.
 constexpr double Raised = 0.005;
 
@@ -33,7 +34,7 @@ struct Site
   Eigen::Vector3d normal;
 };
 
-/// The angle between two directions, degrees.
+/// Returns the angle between two directions, degrees.
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   return vtkMath::DegreesFromRadians(std::atan2(a.cross(b).norm(), a.dot(b)));
@@ -64,7 +65,8 @@ public:
   }
 
 private:
-  /// Adds the outermost point of the body in a direction from the centre, if there is one.
+  /// Adds the outermost point of the body in the direction `outward` from the centre as a site, if
+  /// there is such a point.
   void addSite(const Eigen::Vector3d& centre, const Eigen::Vector3d& outward)
   {
     vtkIdType cell = -1;
@@ -98,7 +100,7 @@ private:
   std::vector<Site> Sites;
 };
 
-/// Returns directions sorted by their angle from `wished`.
+/// Returns directions, sorted by their angle from `wished`.
 std::vector<Eigen::Vector3d> directionsFrom(const Eigen::Vector3d& wished)
 {
   const Eigen::Vector3d side = wished.unitOrthogonal();

@@ -7,10 +7,11 @@
 namespace palpate
 {
 /**
- * Returns the direction from which a camera sees the sites. Of all directions from which no part of
- * the body hides a site and no tool is seen nearly end-on or from below, it is the one nearest to
- * `viewFrom` of the scene. If there is none, only the first site is considered, then only its line
- * of sight. Returns `viewFrom` if no direction is clear.
+ * Returns the direction from which a camera sees the sites. A direction is clear if no part of the
+ * body hides a site and no tool is seen nearly end-on or from below. The result is the clear
+ * direction nearest to `viewFrom` of the scene. If no direction is clear for all sites, only the
+ * first site is considered. If none is clear for the first site, it suffices that the first site is
+ * not hidden. If even this is impossible, `viewFrom` is returned.
  */
 Direction clearView(const ViewerScene& scene);
 } // namespace palpate

@@ -17,11 +17,11 @@ namespace palpate
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double Radius = 50.0; // mm
+constexpr double Radius = 50.0; // radius of the cylinder, mm
 constexpr double CylinderLength = 160.0;
-constexpr double VertexSpacing = 0.6; // mm
+constexpr double VertexSpacing = 0.6; // distance between vertices, mm
 
-/// A tube along x with open ends.
+/// Makes a tube along x whose ends are open.
 vtkSmartPointer<vtkPolyData> makeTube()
 {
   const int around = static_cast<int>(std::lround(2.0 * Pi * Radius / VertexSpacing));

@@ -20,7 +20,8 @@ std::function<std::string()> LastAction;
 int onLoss(Display* display)
 {
   const std::function<std::string()> action = std::exchange(LastAction, nullptr);
-  const std::string error = action ? action() : std::string(); // releases the hand first
+  // This releases the hand before the message is printed.
+  const std::string error = action ? action() : std::string();
   if (!error.empty())
   {
     std::fprintf(stderr, "palpate: error: %s\n", error.c_str());
@@ -28,7 +29,7 @@ int onLoss(Display* display)
   std::fprintf(
     stderr, "palpate: error: the X server of DISPLAY='%s' is gone\n", DisplayString(display));
   std::fflush(nullptr);
-  std::_Exit(EXIT_FAILURE); // static destructors would draw
+  std::_Exit(EXIT_FAILURE); // exit would run static destructors, which would draw
 }
 #endif
 } // namespace

@@ -7,18 +7,18 @@
 
 namespace palpate
 {
-/// Returns the reason why drawing is impossible, or "". Without a responding X server, VTK would
-/// abort the process at the first picture.
+/// Returns the reason why drawing is impossible, or "" if it is possible. Without a responding X
+/// server, VTK would abort the process at the first picture.
 std::string displayProblem();
 
 /// After this call, the process ends with a message and exit code 1 when it loses its X server.
-/// Xlib does not allow a return from this error, so no destructor runs. Actions that must run in
-/// this case are registered with AtDisplayLoss.
+/// Xlib does not allow a return from this error, so that no destructor runs. AtDisplayLoss
+/// registers actions that must run in this case.
 void endWithDisplay();
 
-/// Registers, during its lifetime, an action for the loss of the X server: release the hand, save
-/// the record. The action runs within a call to Xlib and must not draw. It returns "" or an error.
-/// Only one object may exist at a time.
+/// Registers an action for the loss of the X server, for example to release the hand and to save
+/// the record. The registration lasts as long as this object exists. The action runs within a call
+/// to Xlib and must not draw. It returns "" or an error. Only one object may exist at a time.
 class AtDisplayLoss
 {
 public:

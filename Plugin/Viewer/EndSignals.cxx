@@ -15,8 +15,8 @@ void recordSignal(int /*signal*/)
   Came = 1;
 }
 
-/// Sets the handler for all these signals, except those that were ignored from the start of the
-/// process (nohup).
+/// Sets the handler for the three signals, except those that have been ignored since the start of
+/// the process (nohup).
 void handle(void (*handler)(int))
 {
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })

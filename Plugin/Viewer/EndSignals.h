@@ -4,9 +4,9 @@
 
 namespace palpate
 {
-/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only recorded, so that a window closes
-/// normally: the hand is released, and the record written. A second signal of the same kind ends
-/// the process immediately. Only one object may exist at a time.
+/// While this object exists, SIGINT, SIGTERM and SIGHUP are only recorded, so that a window closes
+/// normally, releases the hand and writes the record. A second signal of the same kind ends the
+/// process immediately. Only one object may exist at a time.
 class EndSignals
 {
 public:

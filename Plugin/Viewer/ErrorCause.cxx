@@ -48,8 +48,9 @@ std::string causeOfError(const ViewerScene& scene, const ResponseSet& responses,
   {
     return storedLimit(responses.body, responses.names.front(), point);
   }
-  // The first response has the error at the depth of the tick in its last sample. With a tolerance
-  // just below this error, the validity of the second ends at this sample.
+  // The last sample of the first response contains the error at the depth of the tick. The
+  // tolerance of the second response is just below this error, so that its validity ends at this
+  // sample.
   vtkSmartPointer<vtkPolyData> judged;
   std::string fault = attachAtPoints(
     scene, responses, { point }, CauseName, depth, scene.terms.errorTolerance, judged);
@@ -64,7 +65,8 @@ std::string causeOfError(const ViewerScene& scene, const ResponseSet& responses,
   {
     return storedLimit(responses.body, responses.names.front(), point);
   }
-  constexpr double justBelow = 1.0 - 1e-4; // allows for the rounding of the error, which is a float
+  // The factor allows for the rounding of the error, which is a float.
+  constexpr double justBelow = 1.0 - 1e-4;
   fault = attachAtPoints(scene, responses, { point }, CauseName, depth, justBelow * error, judged);
   if (!fault.empty())
   {

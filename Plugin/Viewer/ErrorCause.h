@@ -11,10 +11,11 @@ namespace palpate
 {
 struct Tick;
 
-/// Names the largest part of the force's error in one tick ("strain"); "" if this part has no name.
-/// A response stores only which part is the largest at its validity. The response is therefore
-/// computed again up to the depth of the tick, at the corner nearest to the contact. Where that is
-/// impossible, as for a response from a file, the stored part is returned.
+/// Returns the name of the largest part of the force's error in one tick, such as "strain". Returns
+/// "" if this part has no name. A response stores only the largest part at the depth of its
+/// validity. Therefore the response is computed again up to the depth of the tick, at the corner
+/// nearest to the contact. If this is impossible, for example for a response from a file, the
+/// stored part is returned.
 std::string causeOfError(const ViewerScene& scene, const ResponseSet& responses, const Tick& tick);
 } // namespace palpate
 

@@ -10,12 +10,13 @@ class vtkObject;
 
 namespace palpate
 {
-/// The actions of a window on events of its objects. This object must outlive the other objects, or
-/// at least their last event.
+/// The actions that a window performs on events of its objects. This object must exist until the
+/// last event of the other objects.
 class EventActions
 {
 public:
-  /// Adds an action, which gets the event's call data. Actions of higher priority are called first.
+  /// Adds an action for an event of `speaker`. The action receives the call data of the event.
+  /// Actions with a higher priority are called first.
   void add(vtkObject* speaker, unsigned long event, std::function<void(void*)> action,
     float priority = 0.0F);
 

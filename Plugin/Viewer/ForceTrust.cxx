@@ -19,15 +19,16 @@ namespace palpate
 {
 namespace
 {
-// Largest relative error; a larger error (above 100 %) gives no information.
+// Largest relative error. A larger error (above 100 %) gives no information.
 constexpr double Unbounded = 1.0;
 
 struct Trust
 {
-  std::vector<double> errors;  ///< of the ticks in contact, relative, ascending; empty: not stored
+  /// Relative errors of the ticks in contact, ascending; empty if no errors are stored.
+  std::vector<double> errors;
   double valid = 0.0;          ///< fraction of the ticks within the validity at all three corners
-  const Tick* worst = nullptr; ///< the tick with the largest error
-  std::string limit; ///< reason for the end of the validity, in the tick of the largest error
+  const Tick* worst = nullptr; ///< tick with the largest error
+  std::string limit;           ///< reason why the validity ends, in the tick with the largest error
   bool touches = false;
 };
 
@@ -60,7 +61,9 @@ Trust judge(vtkPolyData* body, const std::vector<Tick>& ticks)
     {
       const double found = stored.at(firstPoly + tick.contact.triangle,
         tick.contact.contactPoint.data(), tick.contact.deflection);
-      error = found < Unbounded ? found : Unbounded; // also beyond the range, where `found` is NaN
+      error = found < Unbounded
+        ? found
+        : Unbounded; // this is also the case beyond the range, where `found` is NaN
       trust.errors.push_back(error);
     }
     if (error > largest)
@@ -83,14 +86,15 @@ std::string percent(double share)
   return text.data();
 }
 
-/// Fraction of the errors that are at least `bound`. `errors` is ascending.
+/// Returns the fraction of the errors that are at least `bound`. `errors` must be in ascending
+/// order.
 double shareFrom(const std::vector<double>& errors, double bound)
 {
   const auto first = std::lower_bound(errors.begin(), errors.end(), bound);
   return static_cast<double>(errors.end() - first) / static_cast<double>(errors.size());
 }
 
-/// errorInWords() without the space before the sign.
+/// Returns errorInWords() without the space before the sign.
 std::string signedPercent(double error)
 {
   return errorInWords(error).substr(1);

@@ -25,15 +25,15 @@ namespace palpate
 {
 namespace
 {
-// Maximum time between two frames, s. The record can store the ticks of this time.
+// Longest time between two frames, s. The record can store the ticks of this time.
 constexpr double LongestFrame = 60.0;
-constexpr double PanelWidth = 256.0; // pixels
+constexpr double PanelWidth = 256.0; // width of the panel, pixels
 constexpr double LargestPanelShare = 0.4;
-constexpr double ChartShare = 0.28; // fraction of the height
+constexpr double ChartShare = 0.28; // height of the charts, as a fraction of the window's height
 
-/// Returns the force (N) that is not exceeded at 90 % of the points at this depth (mm), for the
-/// tool with the largest such force. (The maximum over all points would be the force of the
-/// thinnest spot.) Returns 1 if the curves are stored in the compact form.
+/// Returns the force (N) that 90 % of the points do not exceed at this depth (mm), for the tool for
+/// which this force is largest. (The maximum over all points would be the force at the thinnest
+/// part of a layer.) Returns 1 if the curves are stored in the compact form.
 double usualForce(const ResponseSet& responses, double depth)
 {
   double usual = 0.0;
@@ -47,7 +47,7 @@ double usualForce(const ResponseSet& responses, double depth)
     {
       continue;
     }
-    // Sample i of n is at Range (i/n)^2.
+    // Sample i of n is at the deflection Range (i/n)^2.
     const int samples = force->GetNumberOfComponents();
     std::vector<double> forces;
     for (vtkIdType point = 0; point < force->GetNumberOfTuples(); ++point)
@@ -73,7 +73,7 @@ double usualForce(const ResponseSet& responses, double depth)
 
 const char* const PressHint = "Turn the wheel over the body: the tool presses";
 
-/// Sets the style of a small text at the top left.
+/// Sets the style of a small text in the upper left corner.
 void styleHelp(vtkTextActor* help, double red, double green, double blue)
 {
   help->GetTextProperty()->SetFontSize(15);
@@ -89,10 +89,11 @@ HapticWindow::HapticWindow(
   : Options(options)
   , Scene(scene)
   , Responses(responses)
-  // The factor is for the wheel, which may press deeper.
+  // The factor 2 is for the wheel, which can press deeper.
   , LargestForce(2.0 * usualForce(responses, scene.depth))
 {
-  // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
+  // Without a graphics card, multisampling would triple the rendering time; FXAA does not increase
+  // it.
   this->Window->SetMultiSamples(0);
   this->Renderer->UseFXAAOn();
   fitToScreen(this->Window);
@@ -114,7 +115,7 @@ HapticWindow::HapticWindow(
   this->Session->SetRate(options.rate);
   chooseContact(options, scene, this->Session);
   this->Session->RealTimeOn();
-  this->Session->LockMemoryOn(); // the servo loop is the purpose of this program
+  this->Session->LockMemoryOn(); // permitted, because the servo loop is the purpose of this program
   this->Session->GetRecorder()->SetRecording(!options.record.empty());
   this->Session->GetRecorder()->SetRecordedSeconds(LongestFrame);
   this->Clock->SetInteractor(this->Interactor);
@@ -147,7 +148,7 @@ void HapticWindow::showHelp(const std::string& text)
   this->Renderer->AddViewProp(this->Help); // a repeated call has no effect
 }
 
-/// Moves the help one line lower while the hint is shown. The hint disappears once the wheel has
+/// Moves the help one line lower while the hint is shown. Removes the hint after the wheel has
 /// pressed the tool.
 void HapticWindow::placeHelp()
 {
@@ -271,7 +272,7 @@ void HapticWindow::usePanel(vtkContactSetup* setup)
     });
 }
 
-/// Keeps the width of the panel in pixels constant for any size of the window.
+/// Keeps the width of the panel in pixels constant, regardless of the size of the window.
 void HapticWindow::arrange()
 {
   if (!this->HasPanel)

@@ -29,9 +29,10 @@
 
 namespace palpate
 {
-/// A live session in a window: the window, the session on its servo thread, and the mouse that
-/// steers it; optionally a panel and charts. If the mouse steers, a line explains that the wheel
-/// presses, until the wheel has been used. The caller adds the actions for tools, keys and frames.
+/// A live session in a window. It consists of the window, the session on its servo thread, the
+/// mouse that steers the session and, optionally, a panel and charts. If the mouse steers, a line
+/// explains that the wheel presses; the line disappears when the wheel has been used. The caller
+/// adds the actions for tools, keys and frames.
 class HapticWindow
 {
 public:
@@ -39,24 +40,27 @@ public:
   HapticWindow(
     const ViewerOptions& options, const ViewerScene& scene, const ResponseSet& responses);
 
-  /// Adds a panel on the right that changes the setup, and charts below. Must be called before
-  /// open().
+  /// Adds a panel on the right, which changes the setup, and charts at the bottom. Must be called
+  /// before open().
   void usePanel(vtkContactSetup* setup);
-  /// Shows lines of text at the top of the window, replacing the previous ones.
+  /// Shows lines of text at the top of the window. They replace the previous lines.
   void showHelp(const std::string& text);
   /// Shows the body with the tool above the first site of the scene, and prints this site.
   void open();
-  /// Runs until the window is closed or a signal ends it. Then writes, if requested, the last
-  /// picture and the record (also a record that was started by a key), and prints a summary. If the
-  /// X server is lost, all of this is done except the picture. Returns "" or an error.
+  /// Runs until the window is closed or a signal ends it. Then writes the last picture and the
+  /// record if they are requested, and prints a summary. A record that was started by a key is also
+  /// written. If the X server is lost, everything is done except the picture. Returns "" or an
+  /// error.
   std::string run();
 
-  /// Sets the action for the choice of another tool in the panel. Tools are numbered from 0.
+  /// Sets the action that is called when another tool is chosen in the panel. The action receives
+  /// the index of the tool, from 0.
   void onTool(std::function<void(int)> action);
-  /// Sets the action for keys 1 to 9 without a panel (numbered from 0), and for the space bar.
+  /// Sets the actions for the keys 1 to 9 in a window without a panel, and for the space bar. The
+  /// number of the key is passed as an index from 0.
   void onNumber(std::function<void(int)> action);
   void onSpace(std::function<void()> action);
-  /// Sets the action for each frame.
+  /// Sets the action that is called in each frame.
   void onFrame(std::function<void()> action);
 
   vtkHapticSession* session() { return this->Session; }
@@ -75,8 +79,9 @@ private:
   const ViewerScene& Scene;
   const ResponseSet& Responses;
   double LargestForce; ///< largest force for the scale of arrows and charts, N
-  std::vector<double> StrongestForces{ 0.0 }; ///< largest ideal force in any frame, for each
-                                              ///< further hand, N
+  std::vector<double> StrongestForces{
+    0.0
+  }; ///< largest ideal force in any frame, for each hand after the first one, N
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Help;
   std::string HelpText;

@@ -46,9 +46,9 @@ std::string makeHeadScene(const ViewerOptions& options, ViewerScene& scene)
   scene.modelReason = "skin over bone is a thin layer, so that the true force there is higher, "
                       "with a difference that grows with the depth";
   scene.tools = { "sphere:6.35", "flat:1.6", "sphere:1.6" };
-  scene.depth = 0.8; // mm; within the validity over most of the path
-  // Relative to the scan's origin: +x right, +y to the nose, +z up. The path leads from above the
-  // left brow over the temple to the left cheek.
+  scene.depth = 0.8; // depth of the press, mm; within the validity on most of the path
+  // Positions are relative to the scan's origin; +x is to the right, +y to the nose and +z up. The
+  // path leads from above the left brow over the temple to the left cheek.
   scene.center = { 0.0, -15.0, 14.0 };
   scene.directions = { { -30.0, 89.0, 30.0 }, { -75.0, 55.0, 5.0 }, { -72.0, 55.0, -48.0 },
     { -52.0, 72.0, -68.0 } };

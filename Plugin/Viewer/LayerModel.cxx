@@ -29,7 +29,7 @@ const char* const Assumptions =
   "assumed: rigid base, the layer bonded to it and homogeneous, its thickness along the normal; "
   "a layer's force depends more on nu than a half-space's";
 
-/// Text of a number with `decimals` decimals.
+/// Returns a number as text with `decimals` decimals.
 std::string rounded(double value, int decimals)
 {
   std::ostringstream stream;
@@ -37,15 +37,16 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
-/// Returns the array with the total thickness of all layers from a scan, or null if the thickness
-/// is not scanned.
+/// Returns the array with the total thickness of all layers from a scan, Returns null if the
+/// thickness is not scanned.
 vtkDataArray* scannedThickness(const ViewerScene& scene)
 {
   return scene.layer.scanned ? scene.body->GetPointData()->GetArray("LayerThickness") : nullptr;
 }
-/// Splits the soft tissue of the scan between the two layers of a stack, as LayerThickness0 and
-/// LayerThickness1, each with its error. Where the scan shows no bone, bone is assumed at the
-/// maximum depth of the search. The layer of given thickness gets at most half of the tissue.
+/// Divides the thickness of the soft tissue in the scan between the two layers of a stack. Adds the
+/// arrays LayerThickness0 and LayerThickness1, each with its error. Where the scan shows no bone,
+/// bone is assumed at the maximum depth of the search. The layer with a given thickness gets at
+/// most half of the tissue's thickness.
 void splitTissue(ViewerScene& scene)
 {
   vtkDataArray* tissue = scannedThickness(scene);
@@ -89,7 +90,7 @@ void splitTissue(ViewerScene& scene)
   scene.body = body;
 }
 
-/// The layers under a point.
+/// Returns the layers under a point.
 LayerStack stackAt(const ViewerScene& scene, vtkIdType point)
 {
   LayerStack stack = scene.layer.stack;
@@ -105,8 +106,8 @@ LayerStack stackAt(const ViewerScene& scene, vtkIdType point)
 /// Statistics of a scanned thickness.
 struct Tissue
 {
-  std::vector<double> found; ///< thickness of the vertices with bone, ascending, mm
-  double share = 0.0;        ///< vertices with bone, percent of all vertices
+  std::vector<double> found; ///< thicknesses at the vertices with bone, ascending, mm
+  double share = 0.0;        ///< number of vertices with bone, percent of all vertices
 };
 Tissue tissueOf(vtkDataArray* thickness)
 {
@@ -158,7 +159,7 @@ std::string describeStack(const ViewerScene& scene)
     depth;
 }
 
-/// Thickness of the layer under a point of the body, mm; 0 for a half-space.
+/// Returns the thickness of the layer under a point of the body, mm. Returns 0 for a half-space.
 double thicknessAt(const ViewerScene& scene, vtkIdType point)
 {
   vtkDataArray* thickness = scannedThickness(scene);
@@ -169,7 +170,7 @@ double thicknessAt(const ViewerScene& scene, vtkIdType point)
 std::optional<double> scanValue(const ViewerOptions& options, const LayerChoice& ofScene)
 {
   const bool other =
-    // These options define the layers.
+    // These options define the layers by themselves.
     options.voxel > 0.0 || options.solid || !options.measured.empty();
   const bool wanted = options.layer.value_or(other ? LayerChoice{} : ofScene).scanned;
   return wanted ? std::optional<double>(options.baseValue) : std::nullopt;

@@ -22,7 +22,7 @@ int modelOf(const ViewerScene& scene)
     ? vtkContactSetup::Layer
     : vtkContactSetup::HalfSpace;
 }
-/// Sets the layers in the setup. The material of the top layer is that of the scene.
+/// Passes the layers to the setup. The material of the top layer is that of the scene.
 void giveStack(const LayerChoice& layer, vtkContactSetup* setup)
 {
   const LayerStack& stack = layer.stack;
@@ -50,7 +50,7 @@ bool computeResponses(vtkContactSetup* setup)
   show->SetCallback([](vtkObject*, unsigned long, void* client, void* done)
     { static_cast<ProgressLine*>(client)->show(*static_cast<const double*>(done)); });
   const unsigned long tag = setup->AddObserver(vtkCommand::ProgressEvent, show);
-  // In the background, the computation would yield to other programs.
+  // Update is used, because Request would compute with a lower priority than other programs.
   const bool isMade = setup->Update();
   setup->RemoveObserver(tag);
   return isMade;

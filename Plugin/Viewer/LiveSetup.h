@@ -12,8 +12,9 @@ class vtkContactSetup;
 
 namespace palpate
 {
-/// Makes a setup of the scene, whose tools and material can be changed during contact, with its
-/// initial responses. These are written for --save and --export. Returns "" or an error.
+/// Makes a setup of the scene, whose tools and material can be changed during contact, and its
+/// initial responses. The files of --save and --export contain these responses. Returns "" or an
+/// error.
 std::string makeLiveSetup(const ViewerOptions& options, const ViewerScene& scene,
   vtkContactSetup* setup, ResponseSet& responses);
 } // namespace palpate

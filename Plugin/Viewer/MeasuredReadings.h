@@ -12,15 +12,16 @@ class vtkResponseChart;
 
 namespace palpate
 {
-/// A value of a table of sites or readings.
+/// Returns a value from a table of sites or readings.
 double numberAt(vtkTable* table, vtkIdType row, const std::string& column);
 std::string textAt(vtkTable* table, vtkIdType row, const std::string& column);
 
-/// Suffix of a curve's label after its tool: ", from measured curves" or ", from synthetic curves";
-/// "" without measured curves.
+/// Returns the suffix that follows the tool in the label of a curve, ", from measured curves" or ",
+/// from synthetic curves". Returns "" without measured curves.
 std::string measuredLabel(const ViewerScene& scene);
 
-/// Adds the readings of the first site, one curve per tool used for the measurement.
+/// Adds the readings of the first site to a chart, as one curve per tool that was used in the
+/// measurement.
 void addReadings(const ViewerScene& scene, vtkResponseChart* chart);
 } // namespace palpate
 

@@ -11,7 +11,7 @@
 namespace palpate
 {
 /// The model in use: the body with the response of the first tool, in the simplest form that keeps
-/// its forces.
+/// the forces within the tolerance.
 struct ModelChoice
 {
   vtkSmartPointer<vtkPolyData> body;
@@ -22,8 +22,8 @@ struct ModelChoice
 /**
  * Chooses the model according to --auto and --tolerance, at the depth of the scene. With --no-auto
  * the body is unchanged. A point force is considered if the body has a global compliance (--voxel),
- * but not for half-spaces and layers. The responses themselves are kept for pictures, files and
- * other tools.
+ * but not for half-spaces and layers. The full responses are kept for pictures, files and other
+ * tools.
  *
  * Returns "" or an error.
  */

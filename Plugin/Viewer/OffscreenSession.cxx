@@ -40,7 +40,7 @@ void progress(const char* what)
   std::fprintf(stderr, "palpate: %s\n", what);
 }
 
-/// Peak resident memory of this process, MB; 0 if unknown.
+/// Returns the peak resident memory of this process, MB; 0 if unknown.
 double peakMemory()
 {
   std::ifstream status("/proc/self/status");
@@ -55,10 +55,11 @@ double peakMemory()
   return 0.0;
 }
 
-/// Returns the tick for the pictures, at the fraction `share` of the slide.
+/// Returns the index of the tick for the pictures. The tick is at the fraction `share` of the
+/// slide.
 vtkIdType picturedTick(vtkPolyData* path, double share, double rate, vtkIdType ticks)
 {
-  // The path is approach, press, slide ..., rest, lift: see vtkPressPath.
+  // The points of the path are approach, press, slide ..., rest and lift; see vtkPressPath.
   vtkDataArray* time = path->GetPointData()->GetArray("Time");
   const double begin = time->GetTuple1(2);
   const double end = time->GetTuple1(time->GetNumberOfTuples() - 3);
@@ -74,7 +75,7 @@ const Tick* peakOf(const std::vector<Tick>& ticks)
   return peak != ticks.end() && peak->contact.triangle >= 0 ? &*peak : nullptr;
 }
 
-/// Time and contact point of a tick, "2.471 s, -12.3, 40, 7.15 mm".
+/// Describes time and contact point of a tick, such as "2.471 s, -12.3, 40, 7.15 mm".
 std::string momentInWords(const Tick& tick)
 {
   const Eigen::Vector3d& place = tick.contact.contactPoint;
@@ -86,7 +87,7 @@ std::string momentInWords(const Tick& tick)
   return text.data();
 }
 
-/// A number with four significant digits, as the rest of the summary.
+/// Returns a number as text with four significant digits, as in the rest of the summary.
 std::string fourDigits(double value)
 {
   std::array<char, 32> text{};
@@ -94,7 +95,8 @@ std::string fourDigits(double value)
   return text.data();
 }
 
-/// Names the tick in the pictures, and the tick of the largest force; "" without contact.
+/// Describes the tick in the pictures, and the tick of the largest force. Returns "" without
+/// contact.
 std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
 {
   const Tick* peak = peakOf(ticks);
@@ -113,8 +115,8 @@ std::string momentRemark(const std::vector<Tick>& ticks, vtkIdType tick)
   return "At " + momentInWords(shown) + "; " + force.data();
 }
 
-/// Compares the setup of a replayed record at a time (s) with that of the session. "" without a
-/// replay.
+/// Compares the setup of a replayed record at a time (s) with the setup of the session. Returns ""
+/// without a replay.
 std::string replayRemark(vtkHapticSession* session, double time = 0.0)
 {
   return session->GetDevice()->IsReplay()
@@ -122,7 +124,8 @@ std::string replayRemark(vtkHapticSession* session, double time = 0.0)
     : std::string();
 }
 
-/// "; the record changes them at 1.5 s, 3 s"; "" without a change.
+/// Describes the times of the changes in a record, such as "; the record changes this at 1.5 s, 3
+/// s". Returns "" if there are no changes.
 std::string changesOf(const RecordedSetups& setups)
 {
   std::string times;
@@ -169,7 +172,7 @@ void printSummary(const ViewerOptions& options, const ViewerScene& scene,
   const std::string replay = replayRemark(session);
   if (!replay.empty())
   {
-    constexpr std::size_t key = 8; // "Replay: "
+    constexpr std::size_t key = 8; // length of "Replay: "
     std::printf("  replay      %s%s\n", replay.c_str() + key,
       changesOf(session->GetDevice()->GetRecordedSetups()).c_str());
   }
@@ -295,7 +298,7 @@ std::string runOffscreen(const ViewerOptions& options, const ViewerScene& scene)
   PicturedMoment moment;
   moment.recording = recording;
   moment.tick = picturedTick(path, scene.pictureAt, options.rate, recording->GetNumberOfPoints());
-  moment.largestForce = 1e-9; // N; the arrow needs a scale even without contact
+  moment.largestForce = 1e-9; // N; the scale of the arrow must be positive even without contact
   for (const Tick& tick : ticks)
   {
     moment.largestForce = std::max(moment.largestForce, tick.contact.force.norm());

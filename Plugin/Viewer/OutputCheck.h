@@ -8,8 +8,9 @@
 
 namespace palpate
 {
-/// Returns "", or the reason why a file cannot be written at the end of the session. Must be called
-/// before the start. The output folder is not checked, since it is created when needed.
+/// Checks before the session starts whether its files can be written at the end. Returns "" or the
+/// reason why a file cannot be written. The output folder is not checked, because it is created
+/// when needed.
 std::string outputProblem(const ViewerOptions& options);
 } // namespace palpate
 

@@ -10,8 +10,8 @@ namespace palpate
 constexpr int PictureWidth = 1280;
 constexpr int PictureHeight = 960;
 
-/// Gives a window the size of a picture. If the screen's free area is smaller, the window gets the
-/// size of that area.
+/// Sets the size of a window to the size of a picture, or to the free area of the screen if this
+/// area is smaller.
 void fitToScreen(vtkRenderWindow* window);
 } // namespace palpate
 

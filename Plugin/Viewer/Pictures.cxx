@@ -33,9 +33,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double CloseUpDistance = 120.0; // mm
+constexpr double CloseUpDistance = 120.0; // distance of the camera for the close-up, mm
 
-/// Adds the scene's marks, lines on the body, to a renderer.
+/// Adds the marks of the scene, which are lines on the body, to a renderer.
 void addMarks(const ViewerScene& scene, vtkRenderer* renderer)
 {
   if (!scene.marks)
@@ -55,7 +55,7 @@ void addMarks(const ViewerScene& scene, vtkRenderer* renderer)
   renderer->AddActor(lines);
 }
 
-/// The remark with a line above that explains the marks, if there are any.
+/// Returns the remark. If the scene has marks, a line that explains them is added above the remark.
 std::string withMarks(const ViewerScene& scene, const std::string& remark)
 {
   return scene.marksInWords + (scene.marksInWords.empty() || remark.empty() ? "" : "\n") + remark;
@@ -69,7 +69,8 @@ struct Stage
   explicit Stage(int width = PictureWidth)
   {
     this->window->SetOffScreenRendering(1);
-    this->window->SetMultiSamples(0); // gives the same pixels on every machine
+    // Without multisampling, the pixels are the same on every machine.
+    this->window->SetMultiSamples(0);
     this->window->SetSize(width, PictureHeight);
   }
 
@@ -101,7 +102,8 @@ struct View
   Direction up;
 };
 
-/// A view with the tool upright, from slightly above the surface, on the side of `viewFrom`.
+/// Returns a view in which the tool is upright, from slightly above the surface, on the side of
+/// `viewFrom`.
 View viewOfTool(const PicturedMoment& moment, const Direction& viewFrom)
 {
   View view{};
@@ -155,7 +157,7 @@ vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment)
 
 void fitToScreen(vtkRenderWindow* window)
 {
-  constexpr int taken = 60; // pixels, height of the window's title and the desktop's bar
+  constexpr int taken = 60; // height of the window's title and the desktop's bar, pixels
   const int* screen = window->GetScreenSize();
   const auto fitted = [](int wished, int available)
   { return available > 0 ? std::min(wished, available) : wished; };
@@ -222,8 +224,9 @@ std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
     auto shown = stage.addScene(scene, responses.body, responses.tools[i], moment, largestForce,
       static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
     shown->SetResponseName(responses.names[i]);
-    shown->SetRemark(withMarks(
-      scene, i == 0 ? moment.remark : std::string())); // its peak is that of the first tool
+    shown->SetRemark(withMarks(scene,
+      i == 0 ? moment.remark
+             : std::string())); // only once, because the peak is that of the first tool
     shown->ShowTip(probed[i], 0);
     shown->LookAtContact(1.2 * CloseUpDistance, scene.viewFrom.data(), scene.up.data());
     scenes.push_back(shown);

@@ -25,17 +25,18 @@ struct PicturedMoment
   std::string remark;
 };
 
-/// The points whose responses the pictures show: the corners of the contact triangle; point 0
-/// without a contact.
+/// Returns the points whose responses the pictures show. These are the corners of the contact
+/// triangle, or point 0 without a contact.
 std::vector<vtkIdType> picturedPoints(vtkPolyData* body, const PicturedMoment& moment);
 
-/// The corner of the contact triangle nearest to the contact; 0 without a contact.
+/// Returns the corner of the contact triangle that is nearest to the contact, or 0 without a
+/// contact.
 vtkIdType nearestCorner(vtkPolyData* body, const PicturedMoment& moment);
 
-// Each function draws off screen, 1280 x 960 (side by side 640 x 960 per tool), and writes a PNG.
-// Returns "" or an error that names the file.
+// Each of the following functions draws off screen and writes a PNG. The size is 1280 x 960 pixels,
+// or 640 x 960 pixels per tool for drawSideBySide. Returns "" or an error that names the file.
 
-/// Writes the content of a window.
+/// Writes the content of a window to a file.
 std::string writePicture(vtkRenderWindow* window, const std::string& file);
 
 /// Draws two pictures of body, tool, force arrow and deflection field: a close-up, and the whole
@@ -43,11 +44,12 @@ std::string writePicture(vtkRenderWindow* window, const std::string& file);
 std::string drawContact(const std::string& closeUp, const std::string& overview,
   const ViewerScene& scene, const ResponseSet& responses, const PicturedMoment& moment);
 
-/// Draws all tools at the tip of the tick, side by side on copies of the body.
+/// Draws all tools at the tip of the tick. Each tool is on its own copy of the body, side by side.
 std::string drawSideBySide(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 
-/// Draws force over deflection of all tools at the point of the body nearest to the contact.
+/// Draws force over deflection for all tools, at the point of the body that is nearest to the
+/// contact.
 std::string drawCurves(const std::string& file, const ViewerScene& scene,
   const ResponseSet& responses, const PicturedMoment& moment);
 } // namespace palpate

@@ -10,11 +10,11 @@ class vtkAlgorithm;
 namespace palpate
 {
 /// Shows the progress of a long step on the error stream. On a terminal the progress is one line,
-/// which is overwritten and erased at the end; elsewhere it is a new line every ten seconds.
+/// which is overwritten, and erased at the end. Otherwise a new line is printed every ten seconds.
 class ProgressLine
 {
 public:
-  /// `step`: description of the step, for example "the body is filled".
+  /// `step` is the description of the step, such as "the body is filled".
   explicit ProgressLine(const std::string& step);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -32,7 +32,7 @@ private:
   bool IsShown = false;
 };
 
-/// Updates the algorithm as updateQuietly does, and shows its progress.
+/// Updates an algorithm and shows its progress. Errors are returned as by updateQuietly.
 std::string updateWithProgress(vtkAlgorithm* algorithm, const std::string& step);
 } // namespace palpate
 

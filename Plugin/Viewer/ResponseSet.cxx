@@ -104,8 +104,8 @@ std::string addTool(const std::string& tool, ResponseSet& responses)
   return {};
 }
 
-/// Attaches the response of a tool. With an array `pressed`, only at the points where its value is
-/// not 0.
+/// Attaches the response of a tool. If an array `pressed` is given, the response is attached only
+/// at the points where the value of the array is not 0.
 std::string attachToolResponse(std::size_t tool, const ViewerScene& scene, const ContactLaw& law,
   double maximumDeflection, const MaterialArray& pressed, ResponseSet& responses)
 {
@@ -136,7 +136,7 @@ std::string attachToolResponse(std::size_t tool, const ViewerScene& scene, const
   return error;
 }
 
-/// Adds the tools of the scene, and attaches the responses of the first `count` of them.
+/// Adds all tools of the scene, and attaches the responses of the first `count` tools.
 std::string attachResponses(
   const ViewerScene& scene, double maximumDeflection, std::size_t count, ResponseSet& responses)
 {
@@ -173,8 +173,8 @@ std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
 std::string saveBody(vtkPolyData* body, const std::string& path)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary();   // newer versions of expat cannot read appended data
-  writer->WriteToOutputStringOn(); // writing to a file crashes on a full disk (VTK 9.2)
+  writer->SetDataModeToBinary();   // not appended data, which newer versions of expat cannot read
+  writer->WriteToOutputStringOn(); // not directly to a file, because VTK 9.2 crashes on a full disk
   writer->SetInputData(body);
   const QuietScope quiet;
   writer->Write();
@@ -253,7 +253,7 @@ std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& s
 {
   if (!options.save.empty())
   {
-    return {}; // all responses are attached
+    return {}; // all responses are already attached
   }
   const auto pressed = maskOf(responses.body, points);
   std::string error;

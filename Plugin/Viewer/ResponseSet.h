@@ -13,18 +13,19 @@
 
 namespace palpate
 {
-/// The body of a scene with the responses of all its tools, each with its own prefix: "Response"
-/// for the first tool, which is in use, then "Response2", "Response3" ...
+/// The body of a scene with the responses of all its tools, each with its own prefix of the array
+/// names. The prefixes are "Response" for the first tool, which is in use, then "Response2",
+/// "Response3" ...
 struct ResponseSet
 {
   vtkSmartPointer<vtkPolyData> body;
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> names;
-  double seconds = 0.0;      ///< wall time to attach the responses
-  double bytesPerTool = 0.0; ///< size of the first tool's response arrays
+  double seconds = 0.0;      ///< wall-clock time to attach the responses, s
+  double bytesPerTool = 0.0; ///< size of the first tool's response arrays, bytes
 };
 
-/// The material data of a response.
+/// The material and the terms from which a response is computed.
 struct ContactLaw
 {
   double youngsModulus = 0.0; ///< MPa
@@ -38,18 +39,18 @@ struct ContactLaw
   }
 };
 
-/// The law of the scene.
+/// Returns the law of the scene.
 ContactLaw lawOf(const ViewerScene& scene);
 
-/// The law in the form of Filters/Laws: constants, and the arrays of the body that override the
-/// constants.
+/// Converts a law to the form of Filters/Laws, which consists of constants and of arrays of the
+/// body that override the constants.
 BodyMaterial::Constants materialOf(const ContactLaw& law);
 MaterialArrays arraysOf(const ContactLaw& law, const ViewerScene& scene, vtkPolyData* body);
 
-/// Prefix of the arrays of a tool's response: Response, Response2 ...
+/// Returns the prefix of the response arrays of a tool: Response, Response2 ...
 std::string responseName(std::size_t tool);
 
-/// Adds the response of one more tool, or the response for another law. Returns an error, or "".
+/// Adds the response of a further tool, or the response for another law. Returns "" or an error.
 std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
   const ContactLaw& law, double maximumDeflection, ResponseSet& responses);
 
@@ -58,19 +59,19 @@ std::string addToolResponse(const ViewerScene& scene, const std::string& tool,
 std::string prepareResponses(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
-/// Does the same as prepareResponses, but only for the first tool, unless --save needs all tools.
-/// All tools are checked.
+/// Does the same as prepareResponses for the first tool only. If --save needs all tools, all
+/// responses are attached. All tools are checked in any case.
 std::string prepareFirstResponse(
   const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
 
-/// Attaches the responses that prepareFirstResponse left out, at these points only. Returns "" or
-/// an error.
+/// Attaches the responses that prepareFirstResponse has omitted, only at the given points. Returns
+/// "" or an error.
 std::string addOtherResponses(const ViewerOptions& options, const ViewerScene& scene,
   const std::vector<vtkIdType>& points, ResponseSet& responses);
 
-/// Attaches the response of the first tool at these points only, up to `range` mm, to a copy of the
-/// body, under the prefix `name`. `tolerance` replaces the error tolerance of the scene. Returns ""
-/// or an error.
+/// Copies the body to `body`, and attaches the response of the first tool to the copy, only at the
+/// given points. The deflections reach up to `range` mm. `name` is the prefix of the response
+/// arrays. `tolerance` replaces the error tolerance of the scene. Returns "" or an error.
 std::string attachAtPoints(const ViewerScene& scene, const ResponseSet& responses,
   const std::vector<vtkIdType>& points, const std::string& name, double range, double tolerance,
   vtkSmartPointer<vtkPolyData>& body);
@@ -79,10 +80,10 @@ std::string attachAtPoints(const ViewerScene& scene, const ResponseSet& response
 /// error.
 std::string saveBody(vtkPolyData* body, const std::string& path);
 
-/// Writes the files of --save and --export. Returns an error, or "".
+/// Writes the files of --save and --export. Returns "" or an error.
 std::string writeResponses(const ViewerOptions& options, const ResponseSet& responses);
 
-/// Updates an algorithm. Returns the errors that it reported; they are not printed.
+/// Updates an algorithm. Returns the errors that the algorithm reported, without printing them.
 std::string updateQuietly(vtkAlgorithm* algorithm);
 } // namespace palpate
 

@@ -80,8 +80,10 @@ PictureAxes::PictureAxes(const ViewerScene& scene)
 
 TouchSite siteOfHand(const ViewerScene& scene, vtkPolyData* bodyWithResponse, int hand)
 {
-  constexpr double step = 15.0; // mm: about the distance of two fingers
-  constexpr double share = 0.1; // upper limit, fraction of the body's diagonal
+  // Distance between sites, mm; about the distance between two fingers.
+  constexpr double step = 15.0;
+  // Upper limit of this distance, as a fraction of the body's diagonal.
+  constexpr double share = 0.1;
   const TouchSite first = firstSite(scene, bodyWithResponse);
   if (hand == 0)
   {

@@ -31,8 +31,8 @@ std::string openDevice(const ViewerOptions& options, vtkHapticSession* session)
 
 namespace
 {
-/// Removes the force limit of a simulated hand in a window. A mouse renders no force, so its force
-/// is neither scaled nor limited.
+/// Removes the force limit of a simulated hand in a window. A mouse outputs no force. Therefore its
+/// force is neither scaled nor limited.
 void setLimits(vtkHapticSession* session, int hand)
 {
   if (session->GetRealTime())
@@ -81,7 +81,7 @@ std::string addHands(const ViewerOptions& options, vtkHapticSession* session)
 
 void placeDevice(const ViewerScene& scene, const ResponseSet& responses, vtkHapticSession* session)
 {
-  constexpr double hover = 10.0; // mm: height of the device's origin above the surface
+  constexpr double hover = 10.0; // height of the device's origin above the surface, mm
   const PictureAxes axes(scene);
   for (int hand = 0; hand < session->GetNumberOfDevices(); ++hand)
   {

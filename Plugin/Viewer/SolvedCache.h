@@ -12,18 +12,18 @@
 
 namespace palpate
 {
-/// Reads a body from the cache file `file`, with responses that take minutes to compute. Returns
-/// null if the file does not exist, cannot be read, or lacks one of the named point arrays.
+/// Reads a body from the cache file `file`. The body has responses that take minutes to compute.
+/// Returns null if the file does not exist, cannot be read, or lacks one of the given point arrays.
 vtkSmartPointer<vtkPolyData> readSolved(
   const std::string& file, const std::vector<std::string>& pointArrays);
 
 /// Writes the body to the cache. Has no effect if `file` is empty. Returns "" or an error.
 std::string keepSolved(vtkPolyData* body, const std::string& file);
 
-/// Part of a cache key: material, tools, depth and tolerance of a scene's responses.
+/// Returns a part of a cache key, with material, tools, depth and tolerance of a scene's responses.
 std::string solvedKey(const ViewerOptions& options, const ViewerScene& scene);
 
-/// Part of a cache key: points, triangles and point arrays of a body.
+/// Returns a part of a cache key that depends on points, triangles and point arrays of a body.
 std::string contentOf(vtkPolyData* body);
 } // namespace palpate
 

@@ -33,16 +33,16 @@ namespace
 {
 constexpr int TableSize = 256;
 constexpr int ScaleTextSize = 17;
-constexpr double LegendStep = 2.0; // mm
+constexpr double LegendStep = 2.0; // step of the legend, mm
 constexpr double HeadZoom = 1.45;
 
 constexpr Color Unknown = { 0.62, 0.62, 0.64 };
 
-// Colours from thin to thick: viridis, whose lightness increases monotonically.
+// Colours from thin to thick. They are those of viridis, whose lightness increases monotonically.
 constexpr std::array<Color, 5> Scale = { { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
   { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } } };
 
-/// The thickness at points with a layer; NaN at other points.
+/// Returns the thickness at points with a layer, and NaN at other points.
 vtkSmartPointer<vtkFloatArray> knownThickness(vtkDataArray* thickness)
 {
   auto found = vtkSmartPointer<vtkFloatArray>::New();
@@ -56,7 +56,8 @@ vtkSmartPointer<vtkFloatArray> knownThickness(vtkDataArray* thickness)
   return found;
 }
 
-/// Colours from the smallest to the largest thickness, in steps of the legend.
+/// Makes a lookup table whose range extends from the smallest to the largest thickness, rounded to
+/// steps of the legend.
 vtkSmartPointer<vtkLookupTable> makeColors(vtkDataArray* found)
 {
   std::array<double, 2> range{};
@@ -113,7 +114,7 @@ void lookFrom(vtkRenderer* renderer, vtkPolyData* body, const Direction& from, c
   camera->SetPosition(centre[0] + from[0], centre[1] + from[1], centre[2] + from[2]);
   camera->SetViewUp(up.data());
   renderer->ResetCamera(body->GetBounds());
-  // ResetCamera fits the sphere around the body, which is larger than the body.
+  // Zooms in, because ResetCamera fits the sphere around the body, which is larger than the body.
   camera->Zoom(HeadZoom);
   renderer->ResetCameraClippingRange();
 }
@@ -141,7 +142,7 @@ std::string drawThickness(const std::string& file, const ViewerScene& scene)
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0); // gives the same pixels on every machine
+  window->SetMultiSamples(0); // without multisampling, the pixels are the same on every machine
   window->SetSize(PictureWidth, PictureHeight);
   const vtkSmartPointer<vtkRenderer> near = addView(window, body, 0.0, 0.5);
   const vtkSmartPointer<vtkRenderer> far = addView(window, body, 0.5, 1.0);

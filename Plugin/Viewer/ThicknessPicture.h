@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// Draws the layer thickness of a scene from a scan: the body from the view direction of the scene
-/// and from the opposite side, coloured, with a legend in mm. Writes a PNG of 1280 x 960. Returns
-/// "" or an error that names the file.
+/// Draws the layer thickness of a scene from a scan. The picture shows the coloured body from the
+/// view direction of the scene and from the opposite side, with a legend in mm. It is a PNG of 1280
+/// x 960 pixels. Returns "" or an error that names the file.
 std::string drawThickness(const std::string& file, const ViewerScene& scene);
 } // namespace palpate
 

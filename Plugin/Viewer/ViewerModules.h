@@ -17,7 +17,8 @@
 
 namespace palpate
 {
-/// Options of libpalpateViewerSolids.so: --solid, --voxel, --tissue, --compare and --scene phantom.
+/// Functions of libpalpateViewerSolids.so, for the options --solid, --voxel, --tissue, --compare
+/// and --scene phantom.
 struct SolidsModule : ModuleTable
 {
   decltype(&attachSolidResponses) fillWithTetrahedra;
@@ -27,14 +28,14 @@ struct SolidsModule : ModuleTable
   decltype(&makeSegmentedScene) pressTissues;
 };
 
-/// Options of libpalpateViewerIdentification.so: --measured.
+/// Functions of libpalpateViewerIdentification.so, for the option --measured.
 struct IdentificationModule : ModuleTable
 {
   decltype(&attachMeasured) identify;
 };
 
-/// Options of libpalpateViewerComparison.so: --compare, for bodies that SolidsModule makes, and
-/// --map.
+/// Functions of libpalpateViewerComparison.so, for the options --compare, whose bodies SolidsModule
+/// makes, and --map.
 struct ComparisonModule : ModuleTable
 {
   decltype(&runComparison) drawComparison;
@@ -42,7 +43,7 @@ struct ComparisonModule : ModuleTable
   decltype(&runRegimeMap) mapRegime;
 };
 
-/// Options of libpalpateViewerTrials.so: --trial.
+/// Functions of libpalpateViewerTrials.so, for the option --trial.
 struct TrialsModule : ModuleTable
 {
   decltype(&runTrialWindow) askInWindow;

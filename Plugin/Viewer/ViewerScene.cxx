@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// For --voxel and --solid: makes a solid of the surface of the scene.
+/// Makes a solid from the surface of the scene, for --voxel and --solid. Returns "" or an error.
 std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
 {
   if (scene.stored)
@@ -41,7 +41,7 @@ std::string fillBody(const ViewerOptions& options, ViewerScene& scene)
     { options.voxel, options.fixedFaces, scene.youngsModulus, scene.poissonRatio }, scene.notes);
 }
 
-/// For --tissue: makes a solid of a segmentation.
+/// Makes a solid from a segmentation, for --tissue. Returns "" or an error.
 std::string fillTissues(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string fault;
@@ -56,7 +56,7 @@ std::string makePhantom(const ViewerOptions& options, ViewerScene& scene)
   return solids ? solids->pressPhantom(options, scene) : fault;
 }
 
-/// For --measured: makes the responses from curves measured on the body.
+/// Makes the responses from curves measured on the body, for --measured. Returns "" or an error.
 std::string identifyBody(const ViewerOptions& options, ViewerScene& scene)
 {
   std::string fault;
@@ -86,7 +86,7 @@ std::string makeViewerScene(const ViewerOptions& options, ViewerScene& scene)
   {
     return error;
   }
-  // The user's options override the scene.
+  // The options of the user override the values of the scene.
   if (options.youngsModulus || options.poissonRatio)
   {
     scene.materialSource = "given on the command line";

@@ -38,8 +38,8 @@ double widestContact(const ViewerOptions& options, const ViewerScene& scene)
   return widest;
 }
 
-/// Computes the compliance of the body as a whole, and attaches it if it is accurate. Returns "",
-/// or a message about the fault.
+/// Computes the compliance of the body as a whole, and attaches it if it is accurate. Returns "" or
+/// a message about the fault.
 std::string solve(
   const ViewerOptions& options, ViewerScene& scene, BodyYield& found, bool& isAttached)
 {

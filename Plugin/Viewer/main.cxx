@@ -30,11 +30,11 @@ int fail(const std::string& error)
 /// The modules that the options need for display and trials. A module that is not needed is null.
 struct NeededModules
 {
-  const palpate::ComparisonModule* comparison = nullptr; ///< --compare, --map
-  const palpate::TrialsModule* trials = nullptr;         ///< --trial
+  const palpate::ComparisonModule* comparison = nullptr; ///< for --compare and --map
+  const palpate::TrialsModule* trials = nullptr;         ///< for --trial
 };
 
-/// Loads the modules. Returns "", or an error that names the module that cannot be loaded.
+/// Loads the modules. Returns "" or an error that names the module that cannot be loaded.
 std::string loadModules(const palpate::ViewerOptions& options, NeededModules& modules)
 {
   std::string fault;
@@ -112,11 +112,12 @@ int main(int argc, char** argv)
   }
   palpate::releaseForceOnTerminate();
   palpate::endWithDisplay();
-  // These signals are ignored, because a write call reports the same fault, and a signal must not
-  // end the process while there is a force on the hand.
+  // These signals are ignored, because the write call also reports the fault, and a signal must not
+  // end the process while a force acts on the hand.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // The program chooses the backend of VTK's loops; a library must leave this choice to its host.
+  // A program may choose the backend of VTK's loops, whereas a library must leave this choice to
+  // its host.
   vtkSMPTools::SetBackend("STDThread");
   if (std::getenv("PALPATE_THREADS") != nullptr)
   {

@@ -17,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-/// The larger value; NaN counts as infinite.
+/// Returns the larger value. NaN counts as infinite.
 double larger(double peak, double value) noexcept
 {
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(peak, value);

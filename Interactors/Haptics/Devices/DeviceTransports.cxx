@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-/// The kinds of devices that the module opens.
+/// A kind of device that the module opens: the prefix of its names and the function that opens it.
 struct Transport
 {
   const char* prefix;
@@ -16,15 +16,15 @@ struct Transport
 constexpr Transport Transports[] = { { "hid:", &TransportsModule::openHid },
   { "bridge:", &TransportsModule::openBridge } };
 
-/// The part of the name after the prefix; "" for another device.
+/// Returns the part of a device's name after the prefix, or "" if the name has another prefix.
 std::string addressOf(const std::string& device, const Transport& transport)
 {
   const std::string prefix = transport.prefix;
   return device.rfind(prefix, 0) == 0 ? device.substr(prefix.size()) : std::string();
 }
 
-/// Returns the module. On failure returns null and sets `fault` to the end of a sentence: "needs "
-/// and the missing module.
+/// Returns the module. On failure returns null and sets `fault` to the end of a sentence, "needs "
+/// followed by the missing module.
 const TransportsModule* transportsModule(std::string& fault)
 {
   static const LoadedModule loaded = loadModule("palpateTransports");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** @file
- * Devices of the module Transports, libpalpateTransports.so: HID devices and other programs. The
- * first call that needs the module loads it; therefore no function may be called from the servo
- * tick.
+ * Access to the devices of the module Transports, libpalpateTransports.so: HID devices and devices
+ * driven by other programs. The first call that needs the module loads it. Therefore no function of
+ * this file may be called from the servo tick.
  */
 #ifndef palpate_DeviceTransports_h
 #define palpate_DeviceTransports_h
@@ -20,22 +20,23 @@ namespace palpate
 struct PluggedDevice
 {
   std::string address;  ///< "hid:PATH"
-  std::string name;     ///< name of the product; may be empty
-  std::string obstacle; ///< the reason why the device cannot be opened; "": it can be opened
+  std::string name;     ///< product name; may be empty
+  std::string obstacle; ///< reason why the device cannot be opened; "" if it can be opened
 };
 
 /// The result of a search for devices.
 struct PluggedDevices
 {
   std::vector<PluggedDevice> devices; ///< sorted by path
-  /// One line per device, and a line with the reason if there is no device or some may be missing.
+  /// Text with one line per device. A further line gives the reason if no device was found or if
+  /// some devices may be missing.
   std::string text;
 };
 
-/// Whether `device` names a device that the module opens: "hid:PATH", "bridge:ADDRESS".
+/// Whether `device` is the name of a device that the module opens, "hid:PATH" or "bridge:ADDRESS".
 PALPATE_EXPORT bool isTransported(const std::string& device);
-/// Opens a device. Returns null, with the reason in words, if the device cannot be opened or the
-/// module is missing.
+/// Opens a device. Returns null if the device cannot be opened or the module is missing, and writes
+/// the reason to `error`.
 PALPATE_EXPORT std::unique_ptr<HapticDevice> openTransported(
   const std::string& device, std::string& error);
 /// Lists the connected devices without opening them. Without the module the list is empty, and

@@ -14,7 +14,7 @@ namespace
 constexpr std::string_view From = " from ";
 constexpr std::string_view Seconds = " s";
 
-/// A text that fits into one line of a file.
+/// Returns the text as one line: control characters become spaces.
 std::string inOneLine(std::string text)
 {
   std::replace_if(
@@ -22,7 +22,8 @@ std::string inOneLine(std::string text)
   return std::string(trimmed(text));
 }
 
-/// Splits "tool from 1.5 s" into "tool" and 1.5. Returns false for another text.
+/// Splits "tool from 1.5 s" into "tool" and 1.5. A name without " from " remains unchanged. Returns
+/// false if the time cannot be read.
 bool splitTime(std::string_view& name, double& time)
 {
   const std::size_t from = name.find(From);

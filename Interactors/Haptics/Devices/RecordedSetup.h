@@ -13,21 +13,21 @@
 
 namespace palpate
 {
-/// The parts of a contact's setup that a record names.
+/// The parts of a contact's setup that are stored in a record.
 enum class SetupPart : std::uint8_t
 {
-  Body,     ///< a file or a scene
-  Tool,     ///< the tool's specification, "sphere:6.35"
-  Material, ///< "E = 0.05 MPa, nu = 0.45"
+  Body,     ///< the name of a file or a scene
+  Tool,     ///< the specification of the tool, such as "sphere:6.35"
+  Material, ///< such as "E = 0.05 MPa, nu = 0.45"
   Model,    ///< the law and the layers
   Friction
 };
 
-/// Names of the parts, as in a trajectory file, in the order of SetupPart.
+/// Names of the parts in a trajectory file, in the order of SetupPart.
 constexpr std::array<const char*, 5> SetupPartNames = { "body", "tool", "material", "model",
   "friction" };
 
-/// A setup in words, one text per part; "": unknown.
+/// A setup in words, one text per part. A part is "" if it is unknown.
 struct RecordedSetup
 {
   std::array<std::string, SetupPartNames.size()> texts;
@@ -47,43 +47,45 @@ struct SetupSince
   RecordedSetup setup;
 };
 
-/// The setups of a record, in the order of their times. The first is also that of all earlier
-/// times. Empty: unknown.
+/// The setups of a record, in the order of their times. The first setup also applies to all earlier
+/// times. The list is empty if no setup is known.
 class PALPATE_EXPORT RecordedSetups
 {
 public:
-  /// Adds a setup from a time on, unless it is equal to the newest one. Replaces setups of this
-  /// time and later.
+  /// Adds a setup that was in use from `time` on, unless it is equal to the newest one. Replaces
+  /// all setups of this time and later.
   void add(double time, const RecordedSetup& setup);
   /// Removes all setups but the newest.
   void keepNewest();
   void clear() { this->All.clear(); }
-  /// The setups that were in use from `begin` to `end`, s; their times are not before `begin`.
+  /// The setups that were in use from `begin` to `end`, s. A setup that began before `begin` gets
+  /// the time `begin`.
   RecordedSetups between(double begin, double end) const;
   /// Subtracts `begin` (s) from all times.
   void shift(double begin);
 
   bool isEmpty() const { return this->All.empty(); }
   const std::vector<SetupSince>& all() const { return this->All; }
-  /// The setup at a time, s; null: unknown.
+  /// The setup that was in use at a time, s; null if it is unknown.
   const RecordedSetup* at(double time) const;
 
-  /// The lines of a trajectory file, without '#': "tool: sphere:6.35", and for changes "tool from
-  /// 1.5 s: flat:1.6".
+  /// The lines for a trajectory file, without '#'. The first setup has lines such as "tool:
+  /// sphere:6.35"; a change has a line such as "tool from 1.5 s: flat:1.6".
   std::vector<std::string> lines() const;
-  /// Reads such a line. Lines of other programs have no effect.
+  /// Reads a line that was made by lines(). Other lines have no effect.
   void readLine(std::string_view line);
 
 private:
   std::vector<SetupSince> All;
 };
 
-/// Parts that both setups name and that differ: "tool sphere:1.6 (here sphere:6.35), ..."; "" for
-/// none.
+/// Lists the parts that are known in both setups and differ: "tool sphere:1.6 (here sphere:6.35),
+/// ...". Returns "" if there is no such part.
 PALPATE_EXPORT std::string differenceOf(const RecordedSetup& recorded, const RecordedSetup& here);
-/// The parts that are known: "body liver.stl, tool sphere:1.6, ...".
+/// Lists the known parts of a setup: "body liver.stl, tool sphere:1.6, ...".
 PALPATE_EXPORT std::string setupInWords(const RecordedSetup& setup);
-/// A sentence about a replay at a time (s) of the record, without its full stop.
+/// Returns a sentence, without its full stop, that compares the present setup with the one that was
+/// in use at `time` (s) of the record.
 PALPATE_EXPORT std::string replayInWords(
   const RecordedSetups& recorded, double time, const RecordedSetup& here);
 } // namespace palpate

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// The double that is `steps` units in the last place above `value`.
+/// The double that lies `steps` representable numbers above `value`; `steps` may be negative.
 double further(double value, int steps)
 {
   const double towards = std::copysign(std::numeric_limits<double>::infinity(), steps);
@@ -20,10 +20,11 @@ double further(double value, int steps)
   return value;
 }
 
-/// The position whose image is `tip` bit for bit, if there is one near its inverse image.
+/// Returns the position that the mapping maps exactly to `tip`, bit for bit, if there is one near
+/// the inverse image of `tip`.
 Eigen::Vector3d positionOf(const Eigen::Vector3d& tip, const WorkspaceMapping& mapping)
 {
-  // Largest error of two multiplications in each direction, in units of the last place.
+  // Largest error of two multiplications, in units of the last place, upwards and downwards.
   constexpr int Reach = 3;
   Eigen::Vector3d guess = mapping.toDevice(tip);
   if (mapping.toBody(guess) == tip)

@@ -11,23 +11,23 @@
 namespace palpate
 {
 /**
- * The axis of a tool in a hand that another thread steers: the counterpart of SteeredTarget for
- * orientations.
+ * The axis of a tool held by a hand that another thread steers. It is the counterpart of
+ * SteeredTarget for orientations.
  *
  * The shaft turns towards the axis of the last turnTo by the shortest rotation, without spin; the
  * remaining angle decays as e^(-Δt/τ). The axis is unknown until the first turnTo, which sets it
- * without a motion. The zero vector makes the axis unknown again. turnTo is for one thread, moveOn
- * for the servo thread; neither waits.
+ * without a motion. The zero vector makes the axis unknown again. One thread calls turnTo, the
+ * servo thread calls moveOn. Neither function waits.
  */
 class PALPATE_EXPORT SteeredAxis
 {
 public:
   static constexpr double TimeConstant = 0.03; ///< s, as in SteeredTarget
 
-  /// Sets the axis towards which the shaft turns, in the frame of the device. It need not have unit
-  /// length; no effect if it is not finite.
+  /// Sets the axis, in the device frame, towards which the shaft turns. The axis need not have unit
+  /// length. No effect if the axis is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
-  /// Advances to `time` (s). There is no motion in the first call, or if time decreases.
+  /// Advances to `time` (s). The axis does not move in the first call, or if the time decreases.
   void moveOn(double time) noexcept;
   const ToolOrientation& orientation() const noexcept { return this->Orientation; }
 

@@ -17,10 +17,10 @@ namespace palpate
 /**
  * The target of a hand that another thread steers, for example by a mouse.
  *
- * After steerTo, the position x approaches the target at servo rate as x ← target + (x - target)
- * e^(-Δt/τ), without jumps or oscillation, on a straight line. After touch, it moves around the
- * body to a place of its surface (GuidedHand). steerTo and touch are for one thread, moveOn for the
- * servo thread; neither waits.
+ * After steerTo, the position x approaches the target on a straight line without jumps or
+ * oscillation. Each tick computes x ← target + (x - target) e^(-Δt/τ). After touch, the position
+ * moves around the body to a point on its surface (GuidedHand). One thread calls steerTo and touch,
+ * the servo thread calls moveOn. No function waits.
  */
 class PALPATE_EXPORT SteeredTarget
 {
@@ -29,27 +29,28 @@ public:
 
   explicit SteeredTarget(const Eigen::Vector3d& start);
 
-  /// Sets the mapping of the device, for touch; to be called before the first moveOn.
+  /// Sets the mapping of the device, which touch needs. Must be called before the first moveOn.
   void setMapping(const WorkspaceMapping& mapping) noexcept { this->Mapping = mapping; }
 
   void steerTo(const Eigen::Vector3d& target) noexcept;
-  /// Moves the hand to a goal. The goal's body must exist until oldestBody() returns a larger
-  /// number. If this is called before the first moveOn, the hand starts at the top of the goal's
-  /// column.
+  /// Moves the hand to a goal. The body of the goal must exist until oldestBody() returns a number
+  /// above goal.bodyNumber. If touch is called before the first moveOn, the hand starts at the top
+  /// of the column over the goal.
   void touch(const TouchGoal& goal) noexcept;
-  /// The smallest number of a body that is still in use; for the thread that steers.
+  /// The smallest bodyNumber of a goal that is still in use. To be called by the thread that
+  /// steers.
   std::uint64_t oldestBody() const noexcept { return this->Oldest.load(std::memory_order_acquire); }
 
-  /// Advances to `time` (s). There is no motion in the first call, or if time decreases. Returns
-  /// false, without motion, while the target is not finite.
+  /// Advances to `time` (s). The position does not move in the first call, or if the time
+  /// decreases. Returns false, without motion, while the target is not finite.
   bool moveOn(double time) noexcept;
-  /// The position, m.
+  /// The position of the hand, m.
   const Eigen::Vector3d& position() const noexcept { return this->Position; }
 
 private:
   struct Told
   {
-    Eigen::Vector3d target = Eigen::Vector3d::Zero(); ///< m, if `goal` has no number
+    Eigen::Vector3d target = Eigen::Vector3d::Zero(); ///< used if `goal` has no number; m
     TouchGoal goal;
   };
   void moveGuided(const TouchGoal& goal, double elapsed) noexcept;

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-/// The first way point after `time`.
+/// The first way point whose time is after `time`.
 auto after(const std::vector<WayPoint>& points, double time)
 {
   return std::upper_bound(points.begin(), points.end(), time,

@@ -3,8 +3,8 @@
 
 namespace palpate
 {
-// Not in the header, because every file that includes a device would then compile a singular value
-// decomposition.
+// Not in the header, because FromTwoVectors compiles a singular value decomposition into every file
+// that includes the header.
 ToolOrientation orientationAlong(const Eigen::Vector3d& axis) noexcept
 {
   const double length = axis.norm();

@@ -15,24 +15,24 @@ struct TrajectoryRow
 {
   double time = 0.0;                             ///< s
   Eigen::Vector3d tip = Eigen::Vector3d::Zero(); ///< body frame, mm
-  /// Axis of the tool, from tip to hand, body frame, unit; zero: unknown.
+  /// Axis of the tool, from tip to hand, as a unit vector in the body frame; zero if unknown.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
-  /// A file contains only the point, deflection, normal force, memory force, friction, torque and
-  /// state of the contact.
+  /// The contact. A file contains only its point, deflection, normal force, memory force, friction,
+  /// torque and state.
   Contact contact;
-  /// Magnitude of the total force of `contact`, N, before any limit of the device. While the scene
-  /// changes, it is the force of the new scene alone, and `sentForce` changes gradually from the
-  /// old scene to the new one.
+  /// Magnitude of the total force of `contact`, N, before any limit of the device. During a change
+  /// of the scene, idealForce is the force of the new scene alone, while `sentForce` changes
+  /// gradually from the force of the old scene to that of the new one.
   double idealForce = 0.0;
 
-  /// The reading of the device, in its frame, and the sent force; m, m/s, N.
+  /// The device's reading in the device frame, m and m/s, and the force that was sent, N.
   DeviceSample sample;
   Eigen::Vector3d sentForce = Eigen::Vector3d::Zero();
   bool isTaken = false; ///< whether the device accepted the force
 
-  /// Whether the tick has a tip. A tick without a valid sample has none: `tip` is (0, 0, 0), and
-  /// the state is Invalid.
+  /// Whether the tick has a tip. If the sample of a tick is not valid, `tip` is (0, 0, 0) and the
+  /// state is Invalid.
   bool hasTip() const noexcept
   {
     return this->contact.state != ContactState::Invalid || !this->tip.isZero(0.0);
@@ -43,7 +43,7 @@ struct TrajectoryRow
 struct Trajectory
 {
   std::vector<TrajectoryRow> rows;
-  RecordedSetups setups;   ///< body, tool, material; times as in the rows
+  RecordedSetups setups;   ///< body, tool and material; times as in the rows
   bool hasContact = false; ///< whether rows contain the contact
   bool hasDevice = false;  ///< whether rows contain the device's reading
   bool hasAxis = false;    ///< whether rows contain the tool's axis

@@ -56,7 +56,7 @@ TrajectoryRow rowOf(const Tick& tick)
   return row;
 }
 
-/// The reason why the rows could not be read back, or "".
+/// Returns the reason why the file could not be read back, or "" if it could.
 std::string faultOf(const Trajectory& trajectory)
 {
   for (std::size_t i = 0; i < trajectory.rows.size(); ++i)
@@ -116,7 +116,7 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   {
     csv.fail("there are no lines with numbers");
   }
-  csv.comment = nullptr; // it refers to `read`
+  csv.comment = nullptr; // the names would refer to the columns of `read`
   if (csv.fault().empty())
   {
     trajectory = std::move(read);
@@ -124,10 +124,12 @@ std::string readRows(CsvReader& csv, Trajectory& trajectory)
   return csv.fault();
 }
 
-/// Keeps the rows written so far, because they cannot be recorded again. Returns a text about them.
+/// Keeps the rows written so far in a file, because they cannot be recorded again. Returns a text
+/// about them.
 std::string keepRows(WholeFile& file, std::size_t rows, std::size_t remarks)
 {
-  const std::size_t above = 1 + remarks; // lines with the names of the columns, and the setups
+  // Number of lines above the rows: the names of the columns and the setups.
+  const std::size_t above = 1 + remarks;
   const std::size_t lines = file.keepLines(above + 1);
   return lines == 0 ? std::string()
                     : "; the first " + std::to_string(lines - above) + " of " +

@@ -30,7 +30,8 @@ enum Column : std::size_t
   Torque = 31
 };
 
-constexpr double LengthTolerance = 1e-3; ///< for an axis with rounding by other programs
+/// Tolerance for the length of an axis that other programs have rounded.
+constexpr double LengthTolerance = 1e-3;
 
 void put(const Eigen::Vector3d& vector, Column column, Numbers& numbers)
 {

@@ -10,12 +10,13 @@
 
 namespace palpate
 {
-/// The functions of libpalpateTransports.so (room Transports): see DeviceTransports.h.
+/// The functions of libpalpateTransports.so (folder Transports), as described in
+/// DeviceTransports.h.
 struct TransportsModule : ModuleTable
 {
   using Open = std::unique_ptr<HapticDevice> (*)(const std::string& rest, std::string& error);
-  Open openHid;    ///< `rest` of the name: "/dev/hidraw0"
-  Open openBridge; ///< "unix:/PATH", "udp:PORT"
+  Open openHid;    ///< `rest` is the name after "hid:", such as "/dev/hidraw0"
+  Open openBridge; ///< `rest` is the name after "bridge:", "unix:/PATH" or "udp:PORT"
   PluggedDevices (*list)();
 };
 } // namespace palpate

@@ -37,7 +37,7 @@ WorkspaceMapping WorkspaceMapping::planar() const noexcept
 WorkspaceMapping WorkspaceMapping::fitted(const Eigen::Vector3d& lower,
   const Eigen::Vector3d& upper, const Eigen::Vector3d& workspace, double margin) const noexcept
 {
-  // Half extents of the box along the axes of the device.
+  // Half extents of the body's box along the axes of the device.
   const Eigen::Vector3d half = this->Rotation.transpose().cwiseAbs() * (0.5 * (upper - lower));
   const bool isSound =
     (upper - lower).minCoeff() >= 0.0 && margin >= 0.0 && half.allFinite() && std::isfinite(margin);

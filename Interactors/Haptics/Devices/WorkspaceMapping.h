@@ -12,68 +12,70 @@ namespace palpate
 constexpr double MillimetresPerMetre = 1000.0;
 
 /**
- * Maps the frame of the device (m) to the frame of the body (mm) and back; no other class converts
- * these units. x_body = R (1000 scale x_device) + t. Forces keep their magnitude, so that a
- * stiffness K of the body is `scale` K for the hand.
+ * Maps the device frame (m) to the body frame (mm) and back: x_body = R (1000 scale x_device) + t.
+ * No other class converts these units. The magnitude of forces is unchanged, so that a stiffness K
+ * of the body becomes `scale` K at the hand.
  *
- * An axis is rotated by R, a torque by det R Rᵀ, because a reflection reverses its sign. Angles are
- * equal in both frames, so that a torque is divided by the factor of lengths: M_device (N m) = det
- * R Rᵀ M_body (N mm) / (1000 scale). The work at the device (J) is then that in the body (N mm)
- * divided by 1000 scale, for F · v as well as for M · ω. Therefore a passive scene is passive for
- * the hand.
+ * An axis is rotated by R. A torque is multiplied by det R Rᵀ, because a reflection reverses the
+ * sign of a torque. Angles are equal in both frames, so that a torque is divided by the factor of
+ * lengths: M_device (N m) = det R Rᵀ M_body (N mm) / (1000 scale). Then the work at the device (J)
+ * is the work in the body frame (N mm) divided by 1000 scale, for F · v as well as for M · ω.
+ * Therefore a passive scene is passive for the hand.
  *
- * A planar device (two axes) moves along its x and y: z is ignored, and only the component of a
- * force in the plane acts on the hand. In the body, this plane passes through `translation` and is
- * spanned by the first two columns of the rotation. Only the component of a torque about z acts on
- * the hand.
+ * A planar device has two axes, x and y. Its z is ignored, and only the component of a force in the
+ * plane acts on the hand. In the body, this plane passes through `translation` and is spanned by
+ * the first two columns of the rotation. Only the component of a torque about z acts on the hand.
  */
 class PALPATE_EXPORT WorkspaceMapping
 {
 public:
   WorkspaceMapping() = default;
-  /// `rotation` must be orthonormal (its columns are the axes of the device in the body's frame;
-  /// the determinant is -1 for a device with left-handed axes), `scale` positive, `translation` in
-  /// mm.
+  /// `rotation` must be orthonormal. Its columns are the axes of the device in the body frame; its
+  /// determinant is -1 for a device with left-handed axes. `scale` must be positive. `translation`
+  /// is in mm.
   WorkspaceMapping(
     const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, double scale);
-  /// The mapping of a planar device: the plane passes through `origin` (mm); the device's x is
-  /// along `right` and its y along `up`, orthogonal unit vectors in the body's frame.
+  /// Returns the mapping of a planar device whose plane passes through `origin` (mm). The device's
+  /// x axis is along `right` and its y axis along `up`; both are orthogonal unit vectors in the
+  /// body frame.
   static WorkspaceMapping inPlane(const Eigen::Vector3d& origin, const Eigen::Vector3d& right,
     const Eigen::Vector3d& up, double scale);
 
-  /// The same mapping, for a planar device.
+  /// Returns the same mapping for a planar device.
   WorkspaceMapping planar() const noexcept;
-  /// A mapping with the same axes and the smallest scale for which the workspace, with the half
-  /// extents `workspace` (m), contains a body's box (mm, corner to corner) with a free `margin`
-  /// (mm, >= 0) around it. Both have the same centre. For a planar device only x and y of the
-  /// workspace are used, and the plane intersects the box at its centre. For an invalid box or
-  /// workspace the resulting scale has a fault.
+  /// Returns a mapping with the same axes, centred on a body's box, and with the smallest scale for
+  /// which the workspace contains the box. `lower` and `upper` are the corners of the box, mm.
+  /// `workspace` contains the half extents of the workspace, m. `margin` (mm, >= 0) is kept free
+  /// around the box. For a planar device only x and y of the workspace are used, and the plane
+  /// intersects the box at its centre. If the box or the workspace is invalid, the scale of the
+  /// result is out of its range, which fault() reports.
   WorkspaceMapping fitted(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
     const Eigen::Vector3d& workspace, double margin) const noexcept;
 
   /// The fault of the first of Rotation, Translation and Scale that is not finite or out of its
-  /// range. The rotation must be orthonormal to RotationTolerance.
+  /// range. The rotation must be orthonormal within RotationTolerance.
   SettingFault fault() const;
-  static constexpr double RotationTolerance = 1e-6; ///< tolerance of RᵀR, for numbers with 7 digits
+  /// Tolerance of RᵀR; permits numbers with 7 digits.
+  static constexpr double RotationTolerance = 1e-6;
 
   Eigen::Vector3d toBody(const Eigen::Vector3d& devicePosition) const noexcept;
   Eigen::Vector3d toDevice(const Eigen::Vector3d& bodyPosition) const noexcept;
-  /// Converts m/s to mm/s.
+  /// Converts a velocity from m/s to mm/s.
   Eigen::Vector3d velocityToBody(const Eigen::Vector3d& deviceVelocity) const noexcept;
   Eigen::Vector3d forceToDevice(const Eigen::Vector3d& bodyForce) const noexcept;
   Eigen::Vector3d forceToBody(const Eigen::Vector3d& deviceForce) const noexcept;
-  /// Converts a unit vector to a unit vector.
+  /// Converts an axis, a unit vector, to a unit vector.
   Eigen::Vector3d axisToBody(const Eigen::Vector3d& deviceAxis) const noexcept;
   Eigen::Vector3d axisToDevice(const Eigen::Vector3d& bodyAxis) const noexcept;
-  /// Converts N mm to N m, and back.
+  /// Converts a torque between N mm in the body frame and N m in the device frame.
   Eigen::Vector3d torqueToDevice(const Eigen::Vector3d& bodyTorque) const noexcept;
   Eigen::Vector3d torqueToBody(const Eigen::Vector3d& deviceTorque) const noexcept;
-  /// The components of a position, velocity or force (frame of the device) that the device has:
-  /// without z if it is planar.
+  /// Returns a position, velocity or force of the device frame without the components that the
+  /// device lacks: z is zero for a planar device.
   Eigen::Vector3d inReach(const Eigen::Vector3d& deviceVector) const noexcept;
-  /// Converts mm to m.
+  /// Converts a length from mm to m.
   double lengthToDevice(double bodyLength) const noexcept;
-  /// Converts N/mm to N/m: a stiffness of the body as the device must render it.
+  /// Converts the stiffness of the body (N/mm) to the stiffness that the device must render (N/m).
   double stiffnessToDevice(double bodyStiffness) const noexcept;
 
   const Eigen::Matrix3d& rotation() const noexcept { return this->Rotation; }

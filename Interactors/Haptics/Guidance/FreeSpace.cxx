@@ -45,7 +45,7 @@ Vector3 surfaceNormal(
 double freeHeight(
   const ContactBody& body, const Vector3& point, const Vector3& normal, double most) noexcept
 {
-  constexpr double share = 0.35; // above 1/3: the ball at z reaches the ball at z/2
+  constexpr double share = 0.35; // above 1/3, so that the ball at z intersects the ball at z/2
   constexpr int halves = 10;
   double height = 0.0;
   for (int i = halves; i >= 0; --i)

@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double AtEnd = 1e-10;   // mm, remaining way that counts as none
-constexpr double Rounding = 1e-9; // mm, of a depth
+constexpr double AtEnd = 1e-10;   // mm; a shorter remaining path counts as finished
+constexpr double Rounding = 1e-9; // mm, tolerance of a depth
 
 bool isSamePlace(const TouchGoal& goal, const TouchGoal& other) noexcept
 {
@@ -46,7 +46,7 @@ void GuidedHand::enterAtTop() noexcept
   this->enterColumn();
 }
 
-/// Moves from the present place in the column of Goal to the goal.
+/// Moves the tip within the column of Goal from its present position to the goal.
 void GuidedHand::enterColumn() noexcept
 {
   RouteSearch::Route route;
@@ -101,7 +101,7 @@ void GuidedHand::advance(double elapsed) noexcept
   }
 }
 
-/// Chooses the way of the tip to the newest goal.
+/// Chooses the path of the tip to the newest goal.
 void GuidedHand::react() noexcept
 {
   const TouchGoal& wanted = this->Wanted;
@@ -187,7 +187,7 @@ bool GuidedHand::isInColumn() const noexcept
 bool GuidedHand::canSlideTo(const TouchGoal& goal) const noexcept
 {
   const bool slides = this->Now == Phase::Sliding;
-  constexpr double top = 0.999; // fraction of the column: a tip that hovers does not slide
+  constexpr double top = 0.999; // fraction of the column; a tip above the surface does not slide
   if (!goal.presses() || !this->Goal.presses() ||
     !(slides || (this->isInColumn() && this->heightInColumn() < top * this->Goal.hover)))
   {
@@ -210,7 +210,7 @@ void GuidedHand::search() noexcept
   this->setGoal(this->Search.goal());
   if (state == FreeLine::State::Free)
   {
-    // The tip has moved along the retreat and has passed its points up to Leg.
+    // The tip has moved along the retreat and has passed the points of the retreat up to Leg.
     this->enter(this->Search.route(this->Tip, this->Leg + 1), this->Search.goalSteps());
     return;
   }
@@ -226,9 +226,9 @@ void GuidedHand::enter(const RouteSearch::Route& route, std::size_t goalSteps) n
   this->Now = Phase::Moving;
 }
 
-/// Moves along the path. In the column of a goal that presses, the tip does not move if the contact
-/// would become deeper than both its present depth and the goal's depth. This happens if the
-/// contact is with another face.
+/// Moves the tip along the path. In the column of a pressing goal, the tip does not move if the
+/// contact would become deeper than both the present depth and the depth of the goal. This happens
+/// if the contact is with another face.
 void GuidedHand::moveInContact(double share, double most) noexcept
 {
   const Vector3 before = this->Tip;
@@ -279,9 +279,9 @@ void GuidedHand::move(double share, double most) noexcept
 
 void GuidedHand::slide(double share, double most) noexcept
 {
-  constexpr double near = 1e-3; // mm, from where the tip moves on a straight line
+  constexpr double near = 1e-3; // mm; within this distance the tip moves on a straight line
   constexpr int patience = 8;   // ticks without progress
-  constexpr double least = 0.1; // smallest part of a step that counts as progress
+  constexpr double least = 0.1; // smallest fraction of a step that counts as progress
   constexpr int halvings = 4;   // largest number of halvings of a step over a sharp edge
   const double far = (this->Goal.point - this->Foot).norm();
   if (far < near)
@@ -300,8 +300,9 @@ void GuidedHand::slide(double share, double most) noexcept
   }
 }
 
-/// Moves the foot by a step towards the goal, and the tip up by `lift`. Both are halved if the tip
-/// would move too far. Returns false, without motion, if the contact would be too deep.
+/// Moves the foot by `step` (mm) towards the goal and raises the tip by `lift` (mm). Both are
+/// halved, at most `halvings` times, if the tip would move farther than `farthest` (mm). Returns
+/// false, without motion, if the contact would be too deep.
 bool GuidedHand::slideBy(double step, double lift, double farthest, int halvings) noexcept
 {
   constexpr int corrections = 4;
@@ -315,7 +316,7 @@ bool GuidedHand::slideBy(double step, double lift, double farthest, int halvings
   }
   const Vector3 foot = found.projection.point + body.surface.centre();
   const Vector3 normal = surfaceNormal(body, found.triangle, found.projection.weights);
-  // The larger of the goal's depth and the present depth.
+  // The larger of the goal's depth and the present depth, mm.
   const double most = std::max(this->Depth, -this->Goal.height);
   double height = this->Height + lift;
   for (int i = 0; i < corrections; ++i)

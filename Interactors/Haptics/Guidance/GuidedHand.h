@@ -14,33 +14,32 @@
 namespace palpate
 {
 /**
- * A hand that moves a tip from place to place of a body and never through the body: it lifts off
- * along the normal, moves around the body, and comes down along the normal. It serves a pointer,
- * whose places may jump.
+ * A hand that moves a tip between points on the surface of a body without passing through the body.
+ * The tip rises along the normal, moves around the body, and descends along the normal of the next
+ * point. The class is used for a mouse pointer, whose position on the body may jump.
  *
- * In each tick the tip is on a way that is known to be free:
- * - over the last goal, the column below `hover` and the way outwards (TouchPlanner);
- * - between two such ways, a straight line or an arc that RouteSearch has found to be free before
- *   the hand enters it. The search is divided over some ticks; meanwhile the hand lifts off, or
- *   rests.
+ * In each tick the tip is on a path that is known to be free:
+ * - over the last goal, in the column below `hover` or on the outward path found by TouchPlanner;
+ * - between the outward paths of two goals, on a straight line or an arc that RouteSearch has found
+ *   to be free. The search is divided over several ticks. During the search the tip rises or rests.
  *
- * Therefore a tip that does not press has no contact, even if a new goal arrives in the middle of a
- * way, and on hollow and thin bodies. This holds for the facets; the smooth contact surface is
- * higher by up to the bulge of its patches.
+ * Therefore a tip that does not press has no contact, even if a new goal arrives while the tip
+ * moves, and on hollow and thin bodies. This is guaranteed for the facets. The smooth contact
+ * surface is higher than the facets by up to the bulge of its patches.
  *
- * A tip that presses slides to a goal that presses nearby. Its foot moves over the surface towards
- * the goal, and the tip is held under the foot along the blended normal, at a depth between the
- * present one and the goal's. In each tick the depth of the contact is computed as in the servo
- * step (ContactTracker). If it would exceed the larger of these two depths, the tip is lifted. If
- * the foot does not come nearer to the goal, for example at a ridge, the hand lifts off and comes
- * down at the goal.
+ * A pressing tip slides to a pressing goal nearby. Its foot moves over the surface towards the
+ * goal, and the tip is held under the foot along the interpolated normal, at a depth between the
+ * present depth and that of the goal. In each tick the depth of the contact is computed as in the
+ * servo step (ContactTracker). If it would exceed the larger of these two depths, the tip is
+ * lifted. If the foot does not approach the goal, for example at a ridge, the tip rises and
+ * descends at the goal.
  *
- * If no way exists, such as between the inside and the outside of a hollow body, the tip is put at
- * the top of the goal's column in one tick (`jumps`).
+ * If no path exists, for example between the inside and the outside of a hollow body, the tip is
+ * placed at the top of the goal's column in one tick; jumps() counts these events.
  *
- * The remaining length of a way decays as e^(-Δt/τ), at most with FastestSpeed. No function
- * allocates or throws. A tick that searches costs SearchQueries closest points, another tick at
- * most a few.
+ * The remaining length of a path decays as e^(-Δt/τ), but not faster than FastestSpeed. No function
+ * allocates or throws. A tick with a search costs SearchQueries closest-point queries, another tick
+ * at most a few.
  */
 class PALPATE_EXPORT GuidedHand
 {
@@ -48,21 +47,21 @@ public:
   static constexpr double TimeConstant = 0.03;   ///< s, as in SteeredTarget
   static constexpr double FastestSpeed = 1000.0; ///< mm/s
 
-  /// Puts the tip at any point, mm; the hand moves from there to its next goal.
+  /// Places the tip at any point, mm. The hand moves from that point to its next goal.
   void putAt(const Vector3& tip) noexcept;
-  /// Puts the tip at the top of the goal's column, from where it goes to the goal.
+  /// Places the tip at the top of the goal's column, from where the hand moves to the goal.
   void beginAt(const TouchGoal& goal) noexcept;
-  /// Sets the goal of the next ticks. No effect if the number is that of the present goal.
+  /// Sets the goal of the next ticks. No effect if goal.number is the number of the present goal.
   void follow(const TouchGoal& goal) noexcept;
-  /// Advances by a time, s.
+  /// Advances the hand by `elapsed` s.
   void advance(double elapsed) noexcept;
 
   const Vector3& tip() const noexcept { return this->Tip; }
   /// Whether the tip is at its newest goal.
   bool rests() const noexcept;
-  /// The smallest number of the bodies that the hand still uses.
+  /// The smallest bodyNumber of a body that the hand still uses.
   std::uint64_t oldestBody() const noexcept;
-  /// Number of goals to which no way existed.
+  /// Number of goals to which no path was found.
   std::uint64_t jumps() const noexcept { return this->Jumps; }
 
 private:
@@ -71,7 +70,7 @@ private:
 
   enum class Phase : std::uint8_t
   {
-    Lost,   ///< the tip is at any point
+    Lost,   ///< the tip may be at any point
     Moving, ///< the tip moves on Path to Goal
     Sliding ///< the tip slides over the surface to Goal
   };
@@ -99,9 +98,9 @@ private:
   bool isBehind() const noexcept;
   bool canRise() const noexcept;
   void addTop(const Vector3& foot, const Vector3& normal) noexcept;
-  /// An upper bound of the number of points of the retreat from Path. If there are too many points
-  /// for a retreat, the hand continues until it has passed enough of them; the last points are over
-  /// the goal.
+  /// An upper bound of the number of points of the retreat from Path. If this number is too large
+  /// for a retreat, the hand first continues along Path; the number of points becomes smaller, and
+  /// the last points are above the goal.
   std::size_t pointsToLeave() const noexcept;
   void leaveColumn() noexcept;
   void leavePath() noexcept;
@@ -110,29 +109,29 @@ private:
 
   Vector3 Tip = Vector3::Zero();
   Phase Now = Phase::Lost;
-  bool IsSearching = false; ///< a way to Search.goal() is being searched; Path is then the
+  bool IsSearching = false; ///< a path to Search.goal() is being searched; meanwhile Path is the
                             ///< beginning of the retreat
   TouchGoal Goal;           ///< the goal at the end of Path or of the slide
   TouchGoal Wanted;         ///< the newest goal
 
   RouteSearch::Route Path;
   std::size_t Leg = 0;       ///< the tip is between points Leg and Leg + 1 of Path
-  std::size_t GoalSteps = 0; ///< number of points of Goal.way in the path, before its end
+  std::size_t GoalSteps = 0; ///< number of points of Goal.way near the end of Path
 
   RouteSearch::Retreat Retreat;
-  std::size_t Known = 0; ///< points of the retreat with free legs between them
-  std::size_t First = 0; ///< first point of the retreat from which a line may begin
+  std::size_t Known = 0; ///< number of the retreat's points that are connected by free legs
+  std::size_t First = 0; ///< index of the first point of the retreat from which a line may begin
   RouteSearch Search;
 
   Vector3 Foot = Vector3::Zero(); ///< foot of the tip during a slide
   Vector3 FootNormal = Vector3::Zero();
   std::int32_t FootTriangle = -1;
   double Height = 0.0; ///< height of the tip over the foot, mm
-  int Stuck = 0;       ///< ticks in which the foot did not come nearer
+  int Stuck = 0;       ///< number of ticks in which the foot did not approach the goal
 
   std::optional<ContactTracker>
     Tracker;          ///< tracks the contact with Goal.body as the servo step does
-  double Depth = 0.0; ///< depth of the contact, mm; 0: no contact
+  double Depth = 0.0; ///< depth of the contact, mm; 0 without contact
   Vector3 ContactPoint = Vector3::Zero();
   Vector3 ContactNormal = Vector3::Zero();
 

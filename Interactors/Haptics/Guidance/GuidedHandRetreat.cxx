@@ -12,7 +12,7 @@ std::size_t GuidedHand::pointsToLeave() const noexcept
   return joint > this->Leg ? joint - this->Leg + 1 + this->Goal.steps : 1 + this->Goal.steps;
 }
 
-/// Makes the retreat from the present place, and begins to search for a way to the newest goal.
+/// Makes the retreat from the present position, and begins to search for a path to the newest goal.
 void GuidedHand::depart() noexcept
 {
   this->Retreat.count = 0;
@@ -45,7 +45,7 @@ void GuidedHand::depart() noexcept
   }
   this->Search.begin(this->Retreat, this->Known, this->First, margin, this->Wanted);
   this->IsSearching = true;
-  // Meanwhile the hand goes to the first point from which a line may begin.
+  // During the search the hand moves to the first point of the retreat from which a line may begin.
   this->Path.count = 0;
   for (std::size_t i = 0; i <= this->First && i < this->Known; ++i)
   {
@@ -55,7 +55,7 @@ void GuidedHand::depart() noexcept
   this->Now = Phase::Moving;
 }
 
-/// Whether the tip presses and is outside, beyond the other side of a thin body.
+/// Whether a pressing tip has passed through a thin body and is outside, beyond the opposite face.
 bool GuidedHand::isBehind() const noexcept
 {
   const bool presses = this->Now == Phase::Sliding
@@ -64,11 +64,12 @@ bool GuidedHand::isBehind() const noexcept
   return presses && this->Depth == 0.0;
 }
 
-/// Whether a contact in the column becomes less deep when the tip rises. The contact may be with
-/// another face.
+/// Whether the contact in the column becomes less deep when the tip rises. This is not so for some
+/// contacts with another face.
 bool GuidedHand::canRise() const noexcept
 {
-  constexpr double least = 0.5; // cosine between the normal and the way to the contact point
+  // Cosine of the angle between the normal and the direction to the contact point.
+  constexpr double least = 0.5;
   if (this->Depth == 0.0)
   {
     return true;
@@ -89,7 +90,8 @@ void GuidedHand::leaveColumn() noexcept
 
 void GuidedHand::leavePath() noexcept
 {
-  // The path ends with the points GoalSteps - 1 to 0 of the goal's way, then the tip.
+  // The path ends with the points GoalSteps - 1 to 0 of Goal.way and the position of the tip at the
+  // goal.
   this->Retreat.add(this->Tip);
   const std::size_t joint = this->Path.count - 1 - this->GoalSteps;
   for (std::size_t i = this->Leg + 1; i < joint; ++i)
@@ -110,7 +112,8 @@ void GuidedHand::leaveSurface() noexcept
   this->Retreat.add(this->Tip);
   if (this->Depth > 0.0)
   {
-    // Straight to the contact point, so that the contact becomes less deep in each tick.
+    // The retreat begins with a straight line to the contact point, so that the contact becomes
+    // less deep in each tick.
     this->Retreat.add(this->ContactPoint);
     this->addTop(this->ContactPoint, this->ContactNormal);
   }
@@ -144,7 +147,8 @@ void GuidedHand::leaveUnknown() noexcept
   }
 }
 
-/// Adds the top of the column over a foot to a retreat that ends in the column.
+/// Adds the top of the column over a foot to the retreat. The last point of the retreat must be in
+/// this column.
 void GuidedHand::addTop(const Vector3& foot, const Vector3& normal) noexcept
 {
   const double most = std::max(this->Wanted.hover, this->Goal.number > 0 ? this->Goal.hover : 0.0);

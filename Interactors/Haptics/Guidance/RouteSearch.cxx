@@ -37,7 +37,7 @@ void RouteSearch::choose() noexcept
   for (std::size_t i = 0; i < this->Way.count; ++i)
   {
     there += i > 0 ? (this->Way.points[i] - this->Way.points[i - 1]).norm() : 0.0;
-    double down = 0.0; // length of the goal's way from its step j
+    double down = 0.0; // length of the goal's path from its step j to the goal
     for (std::size_t j = 0; i >= this->First && j < this->Goal.steps; ++j)
     {
       down += j > 0 ? (this->Goal.way[j] - this->Goal.way[j - 1]).norm() : 0.0;
@@ -96,7 +96,8 @@ void RouteSearch::beginArc() noexcept
     this->end(FreeLine::State::Blocked);
     return;
   }
-  // The great circle, in legs of at most 22.5°; through any pole between opposite points.
+  // The arc follows the great circle, in legs of at most 22.5°. Between opposite points it passes
+  // through an arbitrary pole.
   const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
   const Vector3 across = from.cross(to).norm() > 1e-9 * from.squaredNorm()
     ? Vector3(from.cross(to).normalized())
@@ -124,7 +125,7 @@ FreeLine::State RouteSearch::go(int queries) noexcept
     if (this->Now == Stage::Choose)
     {
       this->choose();
-      --queries; // so that each tick ends
+      --queries; // counted although it is not a query, so that each tick ends
       continue;
     }
     const FreeLine::State state = this->Line.go(queries);
@@ -172,7 +173,8 @@ void RouteSearch::endLeg(bool isFree) noexcept
   }
 }
 
-/// Adds the line of an escape to the retreat. The distances of its points grow geometrically.
+/// Adds points to the retreat along the line that was found by an escape. The distances of the
+/// points grow geometrically.
 void RouteSearch::addEscape() noexcept
 {
   constexpr int steps = 4;

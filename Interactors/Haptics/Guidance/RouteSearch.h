@@ -21,7 +21,7 @@ struct BoundedPath
   std::array<Vector3, Most> points;
   std::size_t count = 0;
 
-  /// Adds a point; no effect if there is no room.
+  /// Adds a point. No effect if the path already has Most points.
   void add(const Vector3& point) noexcept
   {
     if (this->count < Most)
@@ -30,7 +30,7 @@ struct BoundedPath
     }
   }
   const Vector3& last() const noexcept { return this->points[this->count - 1]; }
-  /// Length from a point of the path to its end.
+  /// Length of the path from the point `first` to the end.
   double lengthFrom(std::size_t first) const noexcept
   {
     double sum = 0.0;
@@ -43,14 +43,16 @@ struct BoundedPath
 };
 
 /**
- * Finds a way around a body from a hand's retreat to a goal, in parts that a servo tick can afford.
+ * Searches for a path around a body from a hand's retreat to a goal. The search is divided into
+ * parts that are short enough for a servo tick.
  *
- * The *retreat* is a polygon that begins at the hand and leads away from the body; the goal's way
- * is a similar polygon (TouchGoal). The search looks for a free straight line (FreeLine) from a
- * point of the retreat to a point of the goal's way, the shortest route first. If there is none,
- * the route goes around the body on a sphere. Legs of the retreat that are not yet known to be free
- * are searched before use; a point without a free leg is left out. If the retreat does not lead to
- * the sphere, straight lines in all directions from its known end are tried.
+ * The *retreat* is a polygon that begins at the hand and leads away from the body; the goal's path
+ * (TouchGoal::way) is a similar polygon. The search looks for a free straight line (FreeLine) from
+ * a point of the retreat to a point of the goal's path; the line with the shortest total route is
+ * tried first. If no line is free, the route goes around the body on a sphere. Legs of the retreat
+ * that are not yet known to be free are checked before they are used. A point that no free leg
+ * reaches is omitted. If the retreat does not lead to the sphere, straight lines from its known end
+ * are tried in all directions.
  *
  * No function allocates or throws. The bodies of the goals must exist during the search.
  */
@@ -61,19 +63,21 @@ public:
   using Retreat = BoundedPath<MostRetreat>;
   using Route = BoundedPath<MostRetreat + 8 + TouchGoal::MostSteps + 2>;
 
-  /// Begins a search. The points of the retreat before `known` are connected by free legs (or by
-  /// legs that leave the body); lines start at `first` or later points.
+  /// Begins a search. The points of the retreat with an index below `known` are connected by free
+  /// legs, or by legs that leave the body. Lines start at the point `first` or later points.
+  /// `margin` is the clearance to keep, mm.
   void begin(const Retreat& retreat, std::size_t known, std::size_t first, double margin,
     const TouchGoal& goal) noexcept;
-  /// Continues with at most `queries` closest points. Unknown: not yet ended.
+  /// Continues the search with at most `queries` closest-point queries. Returns Unknown if the
+  /// search has not ended.
   FreeLine::State go(int queries) noexcept;
 
   const TouchGoal& goal() const noexcept { return this->Goal; }
   const Retreat& retreat() const noexcept { return this->Way; }
-  /// The route that was found: from `tip` along the retreat, beginning at its point `next`, to the
-  /// position of the tip at the goal.
+  /// The route that was found. It begins at `tip`, follows the retreat from its point `next` on,
+  /// and ends at the position of the tip at the goal.
   Route route(const Vector3& tip, std::size_t next) const noexcept;
-  /// Number of points of the goal's way that the route uses.
+  /// Number of points of the goal's path that the route uses.
   std::size_t goalSteps() const noexcept { return this->To + 1; }
 
 private:
@@ -106,11 +110,13 @@ private:
   std::size_t Known = 0;
   std::size_t First = 0;
   double Margin = 0.0;
-  std::array<std::uint32_t, MostRetreat> Tried{}; ///< bit j: the line to step j of the goal's way
-  std::size_t From = 0;                           ///< start of the present line, in the retreat
+  /// Bit j is set if the line to step j of the goal's path was tried.
+  std::array<std::uint32_t, MostRetreat> Tried{};
+  std::size_t From = 0; ///< index of the retreat's point at which the present line begins
   std::size_t To = 0;
-  int Direction = 0;        ///< the next direction of an escape
-  BoundedPath<MostArc> Arc; ///< points between the ends of retreat and way
+  int Direction = 0; ///< the next direction of an escape
+  /// Points between the end of the retreat and the end of the goal's path.
+  BoundedPath<MostArc> Arc;
   std::size_t ArcLeg = 0;
   FreeLine Line;
   Stage Now = Stage::Done;

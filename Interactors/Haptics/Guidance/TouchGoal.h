@@ -9,28 +9,29 @@
 
 namespace palpate
 {
-/// A place of a body where a hand holds the tip, and a way there from outside. Body frame, mm.
+/// A point on a body, the position of a tip at this point, and a path to it from outside the body.
+/// Body frame, mm.
 struct TouchGoal
 {
   static constexpr std::size_t MostSteps = 8;
 
   TouchGoal() noexcept { this->way.fill(Vector3::Zero()); }
 
-  std::uint64_t number = 0;          ///< rises from goal to goal; 0: there is no goal
-  std::uint64_t bodyNumber = 0;      ///< rises from body to body
+  std::uint64_t number = 0;          ///< increases from goal to goal; 0 if there is no goal
+  std::uint64_t bodyNumber = 0;      ///< increases from body to body
   std::uint64_t surface = 0;         ///< equal for bodies with equal triangles
-  const ContactBody* body = nullptr; ///< must exist until a hand has a goal on another body
+  const ContactBody* body = nullptr; ///< must exist until all hands have goals on other bodies
   Vector3 point = Vector3::Zero();   ///< point on the surface
   Vector3 normal = Vector3::Zero();  ///< unit, outward
   std::int32_t triangle = -1;        ///< triangle of the point, in the body's mesh
   double height = 0.0; ///< height of the tip above the point; negative: the tip presses
   double hover = 0.0;  ///< height up to which the column over the point is free
-  double margin = 0.0; ///< clearance to keep on the way
+  double margin = 0.0; ///< clearance to keep along the path, mm
 
-  /// The way, from the top of the column outwards. It is free.
+  /// The free path from the top of the column outwards.
   std::array<Vector3, MostSteps> way;
-  std::size_t steps = 0;            ///< points of the way, at least 1
-  bool leadsOut = false;            ///< whether the last point is on the sphere below
+  std::size_t steps = 0;            ///< number of points of the path, at least 1
+  bool leadsOut = false;            ///< whether the last point is on the sphere around the body
   Vector3 centre = Vector3::Zero(); ///< centre of a sphere around the body
   double radius = 0.0;
 

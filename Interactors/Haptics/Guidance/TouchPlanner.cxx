@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-/// mm. A goal farther away from the surface is moved onto the surface; a smaller distance is only
-/// the rounding of a picked point.
+/// mm. A point farther from the surface is moved onto the surface. A smaller distance is only the
+/// rounding of a picked point.
 constexpr double OffSurface = 0.05;
 
 /// Largest distance of a corner from the centre of the body's box, mm.
@@ -56,7 +56,7 @@ void TouchPlanner::setBody(std::shared_ptr<const ContactBody> body)
   if (!this->hasBody() || !haveSameTriangles(this->Bodies.back().kernel->surface, body->surface))
   {
     ++this->Surface;
-    // A polygon of chords of 22.5° on this sphere is still 5 % outside of the body.
+    // A polygon on this sphere whose chords span 22.5° is at least 5 % outside the body.
     this->Radius = 1.08 * largestRadius(body->surface) + 2.0 * Approach;
   }
   this->Bodies.push_back({ std::move(body), ++this->LastBody });
@@ -75,7 +75,7 @@ TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double
   constexpr double marginShare = 0.25; // fraction of the height of the column
   const Body& newest = this->Bodies.back();
   const ContactBody& body = *newest.kernel;
-  // A tilted tool reaches lower than its tip.
+  // The lowest point of a tilted tool is below the tip.
   const double drop = body.tilt ? body.tilt->largestDrop() : 0.0;
   const double most = (height > 0.0 ? height : Approach) + drop;
   TouchGoal goal = this->Last;
@@ -93,7 +93,7 @@ TouchGoal TouchPlanner::plan(const Vector3& point, const Vector3& normal, double
     goal.triangle = closest.triangle;
     if (closest.triangle >= 0 && (closest.projection.point - point).norm() > OffSurface)
     {
-      goal.point = closest.projection.point; // such as after a change of the body
+      goal.point = closest.projection.point; // for example after a change of the body
       goal.normal = surfaceNormal(body, closest.triangle, closest.projection.weights);
     }
     goal.hover = freeHeight(body, goal.point, goal.normal, most);
@@ -140,7 +140,8 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
   {
     return false;
   }
-  // The distances of the points grow geometrically. A hand may leave the way at each point.
+  // The distances of the points grow geometrically. A hand may leave the path at each of its
+  // points.
   const std::size_t more = TouchGoal::MostSteps - goal.steps;
   const double first = std::min(Approach, length);
   for (std::size_t i = 1; i <= more; ++i)
@@ -152,11 +153,11 @@ bool TouchPlanner::leaveAlong(const Vector3& direction, TouchGoal& goal) const
   return true;
 }
 
-/// Moves away from the surface to the middle of a hollow, and adds this point to the way.
+/// Moves a point away from the surface to the middle of a hollow, and adds this point to the path.
 bool TouchPlanner::climb(TouchGoal& goal) const
 {
   constexpr int mostMoves = 64;
-  constexpr double growth = 1.001; // least growth of the clearance in a move
+  constexpr double growth = 1.001; // least ratio by which the clearance must grow in a move
   Vector3 at = goal.way[0];
   double clearance = clearanceAt(*goal.body, at);
   for (int i = 0; i < mostMoves; ++i)

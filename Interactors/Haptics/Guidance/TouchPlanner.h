@@ -13,30 +13,31 @@ namespace palpate
 /**
  * Makes the goals of a guided hand, on the thread that steers the hand.
  *
- * For a point of the surface it finds the height up to which the column over the point is free, and
- * a straight way from the top of the column to a sphere around the body. It tries the normal first,
- * then directions farther and farther from the normal. In a hollow from which no direction leads
- * out, it tries again from the middle of the hollow. A goal without such a way (`leadsOut` is
- * false) can be reached only from places with a free straight line to it. Cost: 20 to some thousand
- * closest points.
+ * For a point of the surface, the planner computes the height up to which the column over the point
+ * is free. It also searches for a straight path from the top of the column to a sphere around the
+ * body. It tries the normal first, then directions at increasing angles from the normal. In a
+ * hollow from which no direction leads out, it tries again from the middle of the hollow. A goal
+ * without a path to the sphere (`leadsOut` is false) can be reached only from points with a free
+ * straight line to the goal. A plan costs 20 to some thousand closest-point queries.
  *
  * The planner keeps the bodies of its goals until release().
  */
 class PALPATE_EXPORT TouchPlanner
 {
 public:
-  static constexpr double Approach = 3.0; ///< mm, largest height from which a hand comes down
+  static constexpr double Approach = 3.0; ///< largest height from which a tip descends, mm
 
-  /// Sets the body of the next goals, not null.
+  /// Sets the body of the next goals. Must not be null.
   void setBody(std::shared_ptr<const ContactBody> body);
   bool hasBody() const noexcept { return !this->Bodies.empty(); }
 
-  /// The goal of a tip at `height` (mm, negative: pressed) above a point with an outward unit
-  /// normal. A point that is not on the surface is replaced by the closest one that is. A tip that
-  /// does not press is lowered to the free height if that is smaller. setBody must have set a body.
+  /// Returns the goal of a tip at `height` above a point of the surface. `height` is in mm;
+  /// negative if the tip presses. `point` is replaced by the closest point on the surface if it is
+  /// not on the surface. `normal` is the outward unit normal. If the tip does not press, it is
+  /// lowered to the free height if that is smaller. setBody must have been called.
   TouchGoal plan(const Vector3& point, const Vector3& normal, double height);
 
-  /// Releases the bodies with a smaller number than that of the oldest body in use.
+  /// Releases all bodies whose number is below `oldest`, the number of the oldest body in use.
   void release(std::uint64_t oldest);
 
 private:
@@ -50,7 +51,7 @@ private:
   bool leaveNear(const Vector3& normal, TouchGoal& goal) const;
   bool climb(TouchGoal& goal) const;
 
-  std::deque<Body> Bodies; ///< the last body is that of the next goals
+  std::deque<Body> Bodies; ///< the last body is the body of the next goals
   std::uint64_t LastNumber = 0;
   std::uint64_t LastBody = 0;
   std::uint64_t Surface = 0;
@@ -58,7 +59,7 @@ private:
   double LastMost = 0.0;               ///< largest height of the last column, mm
   Vector3 LastPoint = Vector3::Zero(); ///< the last point given to plan()
   Vector3 LastNormal = Vector3::Zero();
-  TouchGoal Last; ///< the last goal; its way is used again for the same place
+  TouchGoal Last; ///< the last goal; its path is reused for the same point
 };
 } // namespace palpate
 

@@ -36,7 +36,8 @@ void ForceHold::releaseAll() noexcept
   Releasing.store(true);
   while (const ForceHold* const hold = Newest)
   {
-    // Removed first, because the exception may come from the device's write and may occur again.
+    // Removed from the list before the write, because the exception may come from the device's
+    // write and may occur again.
     Newest = hold->Before;
     Holding.fetch_sub(1);
     hold->Device.write(Eigen::Vector3d::Zero());

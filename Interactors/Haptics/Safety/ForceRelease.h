@@ -10,21 +10,22 @@
 namespace palpate
 {
 /**
- * Ends the force on the hand before an exception ends the process. To be called by programs.
+ * Ends the force on the hand before an exception ends the process. This function is for programs,
+ * not for libraries, because it changes the behaviour of the whole process.
  *
  * An exception that is not caught, or that leaves a function which must not throw (such as read and
  * write of a HapticDevice), ends the process by std::terminate, without destructors. The last force
  * would then remain until the device's own watchdog ends it. After this call, std::terminate first
- * makes every running ServoLoop write zero force, and the terminating thread waits up to 0.1 s for
- * that. Then std::terminate proceeds as usual.
+ * makes every running ServoLoop write zero force. The terminating thread waits up to 0.1 s for
+ * these writes. Then std::terminate proceeds as usual.
  *
- * A library must not call this, because it changes the behaviour of the whole process. Signals,
- * such as SIGSEGV or SIGKILL, are not caught: then only the device's watchdog acts.
+ * Signals such as SIGSEGV or SIGKILL are not caught. After a signal, only the device's watchdog
+ * ends the force.
  */
 PALPATE_EXPORT void releaseForceOnTerminate() noexcept;
 
-/// An object on a servo thread's stack while a device may exert a force: one for each device of the
-/// thread, destroyed in reverse order.
+/// An object that exists on the stack of a servo thread while a device may exert a force. The
+/// thread has one object for each device and destroys them in reverse order.
 class PALPATE_EXPORT ForceHold
 {
 public:
@@ -33,7 +34,7 @@ public:
   ForceHold(const ForceHold&) = delete;
   ForceHold& operator=(const ForceHold&) = delete;
 
-  /// Whether the process is terminating: the loop must then write zero force and end.
+  /// Whether the process is terminating. The loop must then write zero force and end.
   static bool mustRelease() noexcept { return Releasing.load(std::memory_order_relaxed); }
 
 private:

@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Largest credit, as a multiple of K_max, of a hold that is much shorter than the period, as after
-/// a late hold.
+/// Largest credit of a hold, as a multiple of K_max. It limits the credit of a hold that is much
+/// shorter than the period, for example after a late tick.
 constexpr double LargestCredit = 2.0;
 
 double positive(double value) noexcept
@@ -74,8 +74,8 @@ double PassivityControl::givenByTurn() const noexcept
   {
     const SpatialVector moved = this->movedTo(position, orientation);
     const double passed = time - this->ReadTime;
-    // For several ticks without a new reading the mean force is used, as if the hand moved at
-    // constant speed.
+    // If several ticks passed without a new reading, the mean force is used, as if the hand had
+    // moved at constant speed.
     const SpatialVector held =
       passed > 0.0 ? (this->Impulse + (time - this->SentTime) * this->Force) / passed : this->Force;
     const double credit =
@@ -90,7 +90,7 @@ double PassivityControl::givenByTurn() const noexcept
     {
       this->Energy -= this->givenByTurn();
     }
-    // it is not finite after a jump of 1e150 m
+    // not finite, for example, after a jump of 1e150 m
     this->Energy = std::isfinite(this->Energy) ? this->Energy : 0.0;
     this->Velocity = passed > 0.0 ? moved / passed : this->Velocity;
   }
@@ -120,7 +120,7 @@ double PassivityControl::givenInGap(const SpatialVector& moved) const noexcept
   return std::min(holds * most, std::max(this->Taken.dot(moved), along));
 }
 
-/// The largest acceleration of the hand itself along a direction, m/s².
+/// The largest acceleration along a direction, m/s², that the hand produces without the force.
 double PassivityControl::accelerationOfHand(const SpatialVector& direction) const noexcept
 {
   return direction.isAngular() ? direction.linear.norm() * HandAcceleration +
@@ -128,7 +128,7 @@ double PassivityControl::accelerationOfHand(const SpatialVector& direction) cons
                                : HandAcceleration;
 }
 
-/// The smallest mass that a force along a direction accelerates, kg.
+/// The smallest mass along a direction that the force can accelerate, kg.
 double PassivityControl::handleAlong(const SpatialVector& direction) const noexcept
 {
   const double lever = this->Lever;
@@ -138,14 +138,15 @@ double PassivityControl::handleAlong(const SpatialVector& direction) const noexc
                                : LightestHandle;
 }
 
-/// The largest displacement of the hand itself along a direction in the time `time`.
+/// The largest displacement along a direction, m, that the hand produces in `time` (s) without the
+/// force.
 double PassivityControl::wayOfHand(const SpatialVector& direction, double time) const noexcept
 {
   return std::max(0.0, direction.dot(this->Velocity)) * time +
     0.5 * this->accelerationOfHand(direction) * time * time;
 }
 
-/// The magnitude up to which a force may be sent while other delayed forces may act.
+/// The largest magnitude of a force that may be sent while earlier, delayed forces may still act.
 double PassivityControl::allowedUnderWay(
   const SpatialVector& force, double size, double energy) const noexcept
 {
@@ -154,7 +155,8 @@ double PassivityControl::allowedUnderWay(
   {
     return unconditional;
   }
-  // Solves f (displacement of the hand + f t²/2m) = E for f, where t is the duration of all holds.
+  // Solves f (way + f t²/2m) = E for f, where way is the displacement of the hand and t the
+  // duration of all holds.
   const double time = this->Period * static_cast<double>(this->UnderWay.late() + 1);
   const SpatialVector direction = force / size;
   const double way = this->wayOfHand(direction, time);
@@ -257,7 +259,7 @@ void PassivityControl::sent(double time, const Eigen::Vector3d& force) noexcept
   {
     return std::numeric_limits<double>::infinity();
   }
-  // F (v t + a t²/2) = E, with the acceleration a of hand and handle
+  // Solves F (v t + a t²/2) = E for the time t, with the acceleration a of hand and handle.
   const double speed = std::max(0.0, this->Force.dot(this->Velocity) / force);
   const SpatialVector direction = this->Force / force;
   const double acceleration =

@@ -147,8 +147,8 @@ Eigen::Vector3d SafetyChain::shapeTorque(
 [[gnu::hot]] Wrench SafetyChain::controlPassivity(
   const SafetyInput& input, bool changing, const Wrench& wanted, const Wrench& limited) noexcept
 {
-  // Without a gate the energy of the first force is granted, because the caller has chosen to have
-  // no gate.
+  // If the chain has no gate, the energy of the first force is granted, because the caller has
+  // chosen the missing gate.
   const bool isGiven = changing || this->Passivity.isNew();
   if (input.fresh || this->Passivity.isNew())
   {

@@ -12,26 +12,27 @@
 namespace palpate
 {
 /**
- * A factor of a force that changes between 0 and 1 without a jump: linear in time, in 50 ms for the
- * whole range.
+ * A factor of a force that changes between 0 and 1 without a jump. The change is linear in time and
+ * takes 50 ms for the whole range.
  *
  * Among all ramps of 50 ms the linear one has the smallest maximum rate (a smooth step has 1.5
- * times that rate). Therefore the change of a force s(t) F per tick of length T is at most the
- * change of F plus |F| T / 50 ms. The step of a late tick is limited to MaximumStep: a stall makes
- * the ramp longer, not the step larger.
+ * times this rate). Therefore the change of a force s(t) F per tick of length T is at most the
+ * change of F plus |F| T / 50 ms. The step of a late tick is limited to MaximumStep, so that a
+ * stall prolongs the ramp instead of making the step larger.
  */
 class ForceRamp
 {
 public:
-  static constexpr double Duration = 0.05;   ///< s
-  static constexpr double MaximumStep = 0.1; ///< fraction of the range per tick: 5 ms
+  static constexpr double Duration = 0.05; ///< s
+  /// Largest change of the factor per tick; corresponds to 5 ms.
+  static constexpr double MaximumStep = 0.1;
 
   explicit ForceRamp(double share) noexcept
     : Share(share)
   {
   }
 
-  /// Changes the factor towards `target` (0 to 1) for `elapsed` s, >= 0; returns the new factor.
+  /// Moves the factor towards `target` (0 to 1) for `elapsed` s (>= 0). Returns the new factor.
   double advance(double target, double elapsed) noexcept
   {
     const double step = std::min(elapsed / Duration, MaximumStep);
@@ -45,22 +46,24 @@ private:
 };
 
 /**
- * The first link. A session that begins, or continues after a loss, with the tool inside the body
- * must not push the tool out with the force of its depth. The gate is closed until the tip has been
- * outside once. With a ramp, the first contact after that is soft: the factor grows linearly from 0
- * over the given time after the start of that contact.
+ * The first link of the safety chain. If a session begins, or continues after a loss, while the
+ * tool is inside the body, the force of this depth must not push the tool out. Therefore the gate
+ * is closed until the tip has been outside once. If a ramp is given, the factor of the force grows
+ * linearly from 0 to 1 over the time of the ramp after the start of the first contact.
  */
 class EntryGate
 {
 public:
-  /// `ramp` in s; 0 or NaN: no ramp. If `closes` is false, the gate is always open.
+  /// `ramp` is the time of the ramp, s; there is no ramp if it is 0 or NaN. If `closes` is false,
+  /// the gate is always open.
   EntryGate(bool closes, double ramp) noexcept
     : Closes(closes)
     , Ramp(ramp)
   {
   }
 
-  /// The fraction of the force that may pass now, 0 to 1; time in s.
+  /// The fraction of the force that may pass at `time` (s), 0 to 1. `outside` means that the tip is
+  /// not in contact.
   double share(double time, bool outside) noexcept
   {
     this->HasBeenOutside = this->HasBeenOutside || outside;
@@ -72,7 +75,7 @@ public:
     {
       if (outside)
       {
-        return 1.0; // there is no force to scale
+        return 1.0; // there is no force to be scaled
       }
       this->HasTouched = true;
       this->TouchTime = time;
@@ -95,14 +98,15 @@ private:
 };
 
 /**
- * The slew limit: between two ticks the force changes along the straight line to its target, by no
- * more than the rate times the time between the ticks. The line starts at the last sent force,
- * initially zero, so that a force which later links remove does not return in one step.
+ * The slew limit. Between two ticks the force changes on the straight line to its target by no more
+ * than the rate times the time between the ticks. The line starts at the last sent force, which is
+ * initially zero. Therefore a force that was removed by later links does not return in one step.
  */
 class ForceRateLimit
 {
 public:
-  /// `rate` in N/s; infinite: no limit; negative or NaN: the force does not change.
+  /// `rate` is in N/s. An infinite rate means no limit. If the rate is negative or NaN, the force
+  /// does not change.
   explicit ForceRateLimit(double rate) noexcept
     : Rate(rate)
   {
@@ -124,14 +128,14 @@ public:
     }
     return most > 0.0 ? Eigen::Vector3d(this->Last + most / size * change) : this->Last;
   }
-  /// Stores the force that the safety chain sends in this tick.
+  /// Stores the force that the safety chain sends in this tick at `time` (s).
   void sent(double time, const Eigen::Vector3d& force) noexcept
   {
     this->Last = force;
     this->LastTime = time;
     this->HasTime = true;
   }
-  /// Restarts from zero force.
+  /// Restarts the limit at zero force.
   void reset() noexcept
   {
     this->Last.setZero();
@@ -141,7 +145,7 @@ public:
 private:
   double Rate;
   Eigen::Vector3d Last = Eigen::Vector3d::Zero();
-  bool HasTime = false; ///< false: there is no preceding tick
+  bool HasTime = false; ///< false if there is no preceding tick
   double LastTime = 0.0;
 };
 
@@ -149,7 +153,8 @@ private:
 class ForceLimit
 {
 public:
-  /// `maximum` in N; infinite: no limit; negative or NaN: no force.
+  /// `maximum` is in N. An infinite maximum means no limit. If the maximum is negative or NaN, the
+  /// force is zero.
   explicit ForceLimit(double maximum) noexcept
     : Maximum(maximum > 0.0 ? maximum : 0.0)
   {
@@ -158,8 +163,8 @@ public:
   /// `force` must be finite.
   Eigen::Vector3d limit(const Eigen::Vector3d& force) const noexcept
   {
-    // The ordinary norm, unless its squares overflow or underflow; this keeps the results of
-    // earlier versions bit for bit.
+    // The ordinary norm is used unless its squares overflow or underflow, so that results are bit
+    // for bit those of earlier versions.
     const double plain = force.norm();
     const double size = plain > 1e-100 && plain < 1e100 ? plain : force.stableNorm();
     return size <= this->Maximum ? force : Eigen::Vector3d(this->Maximum / size * force);
@@ -170,21 +175,22 @@ private:
 };
 
 /**
- * Checks whether the device still reports the hand. A device without a new reading for longer than
- * its time-out is lost, until it reports again. It is also lost after a pause of the loop of this
- * length, and when the clock decreases.
+ * Checks whether the device still reports the position of the hand. A device without a new reading
+ * for longer than its time-out is lost until the next new reading. It is also lost if the loop
+ * pauses for longer than the time-out, or if the clock decreases.
  */
 class SampleWatchdog
 {
 public:
-  /// `timeOut` in s; infinite: the device is never lost; negative or NaN: always.
+  /// `timeOut` is in s. If it is infinite, the device is never lost. If it is negative or NaN, the
+  /// device is always lost.
   explicit SampleWatchdog(double timeOut) noexcept
     : TimeOut(timeOut)
   {
   }
 
-  /// Must be called in every tick with a valid sample; `fresh`: the sample is new. If the result is
-  /// true, there must be no force now.
+  /// Returns whether the device is lost; then the force must be zero. Must be called in every tick
+  /// with a valid sample. `fresh` means that the sample is new.
   bool isLost(double time, bool fresh) noexcept
   {
     if (!this->HasTime)
@@ -196,7 +202,7 @@ public:
     const bool wentBack = time < this->LastTime;
     if (wentBack)
     {
-      this->LastFresh = time; // the time of the new clock
+      this->LastFresh = time; // LastFresh restarts with the time of the new clock
     }
     const bool isOld = !(time - this->LastFresh <= this->TimeOut);
     this->LastTime = time;
@@ -212,17 +218,17 @@ public:
     const double since = this->HasTime ? time - this->LastFresh : 0.0;
     return (this->HasTime && time < this->LastTime) || !(since <= this->TimeOut);
   }
-  /// Whether readings that are missing or not valid now are a gap: the last new reading is not
-  /// older than the time-out, or than LongestGap if there is no time-out.
+  /// Whether missing or invalid readings at `time` are a gap. They are a gap if the last new
+  /// reading is not older than the time-out, or not older than LongestGap if there is no time-out.
   bool isGap(double time) const noexcept
   {
     const double longest = std::isinf(this->TimeOut) ? LongestGap : this->TimeOut;
     return this->HasTime && time >= this->LastTime && time - this->LastFresh <= longest;
   }
-  /// Restarts the time-out with the next call.
+  /// Restarts the time-out at the next call of isLost.
   void reset() noexcept { this->HasTime = false; }
 
-  static constexpr double LongestGap = 0.02; ///< s: the usual time-out
+  static constexpr double LongestGap = 0.02; ///< s, the usual time-out
 
 private:
   double TimeOut;

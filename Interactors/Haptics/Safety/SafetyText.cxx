@@ -14,7 +14,7 @@ namespace
 constexpr std::pair<SafetyLink, const char*> Words[] = {
   { SafetyLink::NotFinite, "no force: it was not finite" },
   { SafetyLink::Gate, "held back until the tip has been outside" },
-  { SafetyLink::Fit, nullptr }, // its text is the factor
+  { SafetyLink::Fit, nullptr }, // described by the factor
   { SafetyLink::StiffnessCap, "stiffness capped" },
   { SafetyLink::Slew, "rise limited" },
   { SafetyLink::Magnitude, "limited to the device's largest force" },

@@ -10,8 +10,8 @@
 namespace palpate
 {
 /// Describes the difference between sent and ideal force: the factor and the other links that
-/// acted, in the chain's order. Example: "force ×0.12, stiffness capped"; "" if no link acted. With
-/// `fitReason` (DeviceFit::reason) the factor is followed by the reason in brackets.
+/// acted, in the chain's order. Example: "force ×0.12, stiffness capped". Returns "" if no link
+/// acted. If `fitReason` (DeviceFit::reason) is not empty, it follows the factor in brackets.
 PALPATE_EXPORT std::string describeSafety(
   std::uint16_t acted, double forceFactor, const std::string& fitReason = {});
 

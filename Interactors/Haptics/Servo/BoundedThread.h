@@ -11,10 +11,10 @@
 namespace palpate
 {
 /**
- * A thread whose owner waits only for a limited time for its end. It is used for calls into a
- * driver that may hang.
+ * A thread for whose end the owner waits only a limited time. It is used for calls into a driver
+ * that may hang.
  *
- * finish waits for the end of the work up to a limit. After that the thread is detached and
+ * finish waits for the end of the work up to a limit. After this limit the thread is detached and
  * continues alone; therefore the work must own all data that it uses.
  */
 class BoundedThread
@@ -30,8 +30,8 @@ public:
   BoundedThread(const BoundedThread&) = delete;
   BoundedThread& operator=(const BoundedThread&) = delete;
 
-  /// Waits up to `limit` for the end of the work; returns whether it ended. Before this call, the
-  /// caller must have requested the work to end.
+  /// Waits up to `limit` for the end of the work. Returns whether the work has ended. The caller
+  /// must have asked the work to end before this call.
   bool finish(std::chrono::milliseconds limit)
   {
     if (!this->Thread.joinable())

@@ -5,8 +5,8 @@ namespace palpate
 {
 namespace
 {
-/// Whether the force was ended, not only changed. False in a gap, after which the contact
-/// continues.
+/// Whether the force was ended, not only changed. False in a gap, because the contact continues
+/// after a gap.
 bool isLost(const SafeForce& safe) noexcept
 {
   return !safe.isGap &&

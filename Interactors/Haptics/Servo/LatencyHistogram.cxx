@@ -20,7 +20,7 @@ std::size_t LatencyCounts::classOf(std::int64_t nanoseconds) noexcept
   {
     return static_cast<std::size_t>(value);
   }
-  // A double cannot hold every int64, but the values that it rounds are beyond the last class.
+  // The conversion to double may round the value, but only for values beyond the last class.
   const int shift = std::ilogb(static_cast<double>(value)) - ClassBits;
   const std::size_t index =
     static_cast<std::size_t>(shift) * ClassesPerDoubling + static_cast<std::size_t>(value >> shift);
@@ -90,7 +90,7 @@ void LatencyCounts::fitWorst() noexcept
   }
   else if (classOf(this->Worst) != last - 1)
   {
-    // The longest duration was added or reset while the counts were read.
+    // The longest duration was added or reset during the reading of the counts.
     this->Worst = longestOf(last - 1);
   }
 }

@@ -13,8 +13,8 @@ namespace palpate
  *
  * There are three slots. The writer fills its own slot and swaps it with the shared slot. The
  * reader swaps the shared slot with its own if the shared one is newer. Intermediate values are
- * lost; no value is ever read while it is written. One thread may call write, one other thread
- * read. Copying a Value must neither allocate nor throw.
+ * lost; no value is read while it is written. One thread may call write, and one other thread may
+ * call read. Copying a Value must neither allocate nor throw.
  */
 template <class Value>
 class LatestValue
@@ -30,11 +30,11 @@ public:
     this->Writing = previous & Index;
   }
 
-  /// For the writer: fills its slot, so that the memory is in the caches when a value is written.
-  /// This value is not visible to the reader.
+  /// For the writing thread. Fills its slot with a likely value, so that the memory of the slot is
+  /// in the caches before the next write. The likely value is not visible to the reader.
   void prepare(const Value& likely) noexcept { this->Slots[this->Writing] = likely; }
 
-  /// The newest value written, or the initial one.
+  /// The newest value that was written, or the initial value.
   const Value& read() noexcept
   {
     if (this->Shared.load(std::memory_order_relaxed) & Fresh)

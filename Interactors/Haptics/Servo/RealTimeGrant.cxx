@@ -97,7 +97,7 @@ void touchStack() noexcept
   constexpr std::size_t Page = 4096;
   std::array<unsigned char, Bytes> stack;
   volatile unsigned char* const memory =
-    stack.data(); // volatile, so that the writes are not optimised away
+    stack.data(); // volatile, so that the compiler does not remove the writes
   for (std::size_t i = 0; i < Bytes; i += Page)
   {
     memory[i] = 0;

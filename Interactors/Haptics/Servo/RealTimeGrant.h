@@ -8,17 +8,17 @@
 
 namespace palpate
 {
-/// Requests of a servo thread to the system.
+/// The requests of a servo thread to the operating system.
 struct RealTimeRequest
 {
-  /// Priority of SCHED_FIFO, 1 to 99; 0: keeps the present scheduling.
+  /// Priority of SCHED_FIFO, 1 to 99. With 0 the present scheduling is kept.
   int priority = 80;
   /**
-   * Whether to lock the memory of the whole process, present and future, so that it is not paged
-   * out (mlockall with MCL_ONFAULT: nothing is read in because of the lock, and memory that is
-   * never used costs nothing). Off by default, because it affects the whole process: a program with
-   * gigabytes, of which a servo loop is a small part, may need paging. The lock remains after the
-   * end of the loop. Programs whose main task is the loop should set this option.
+   * Whether to lock the present and future memory of the whole process, so that it is not paged
+   * out. mlockall is called with MCL_ONFAULT: the lock loads no pages, and memory that is never
+   * used costs nothing. The lock remains after the end of the loop. Off by default, because the
+   * lock affects the whole process: a program that uses gigabytes may need paging. Programs whose
+   * main task is the loop should set this option.
    */
   bool lockMemory = false;
 };
@@ -26,29 +26,32 @@ struct RealTimeRequest
 /**
  * The rights that the system granted, and the reasons of refusals.
  *
- * A refusal is not an error: without SCHED_FIFO a loop works in the same way, but wakes up later
- * when the processors are busy. All requests of root are granted, those of other users as far as
- * their limits allow (RLIMIT_RTPRIO; in Debian `/etc/security/limits.conf`: rtprio, memlock).
+ * A refusal is not an error. Without SCHED_FIFO a loop works in the same way, but wakes up later
+ * when the processors are busy. All requests of root are granted. Requests of other users are
+ * granted within the limits of the user (RLIMIT_RTPRIO; in Debian rtprio and memlock in
+ * `/etc/security/limits.conf`).
  */
 struct PALPATE_EXPORT RealTimeGrant
 {
   RealTimeRequest request;
-  /// Granted priority of SCHED_FIFO; 0: the scheduling is unchanged. Less than the requested
-  /// priority if the limit is lower.
+  /// Granted priority of SCHED_FIFO. It is less than the requested priority if the limit is lower.
+  /// It is 0 if the scheduling is unchanged.
   int priority = 0;
-  int priorityError = 0; ///< errno of the first refusal; 0: none
+  int priorityError = 0; ///< errno of the first refusal; 0 if there was none
   bool memoryLocked = false;
-  int memoryError = 0;     ///< errno
-  bool timerSlack = false; ///< 1 ns instead of 50 µs for a thread that is not SCHED_FIFO
+  int memoryError = 0; ///< errno of the refusal to lock the memory; 0 if there was none
+  /// Whether the timer slack is 1 ns; for a thread without SCHED_FIFO it would be 50 µs.
+  bool timerSlack = false;
 
-  /// One line: "SCHED_FIFO 80 granted; memory not locked: not asked for; timer slack 1 ns".
+  /// Describes the grant in one line: "SCHED_FIFO 80 granted; memory not locked: not requested;
+  /// timer slack 1 ns".
   std::string describe() const;
 };
 
 /**
- * Makes the requests for the calling thread. Also writes to the first 64 KiB of its stack, so that
- * no tick waits for a page of the stack. Memory is locked only if locked memory is not limited:
- * with a limit, mlockall would make later allocations of the process fail.
+ * Requests the rights for the calling thread. Also writes to the first 64 KiB of the stack of this
+ * thread, so that no tick waits for a page of the stack. Memory is locked only if the process has
+ * no limit on locked memory, because with a limit mlockall would make later allocations fail.
  */
 PALPATE_EXPORT RealTimeGrant requestRealTime(const RealTimeRequest& request) noexcept;
 } // namespace palpate

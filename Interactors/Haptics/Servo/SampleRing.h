@@ -12,16 +12,18 @@ namespace palpate
 /**
  * Passes every value from one thread to another thread, in order. Neither thread ever waits.
  *
- * The constructor allocates and touches all memory. If the reader drains too late and the ring is
- * full, the newest value is lost and counted. Therefore a record may have a gap, but the gap is
- * known, and no value is overwritten while it is read. One thread may call push, one other thread
- * drain; both may read the counts. Copying a Value must neither allocate nor throw.
+ * The constructor allocates and touches all memory. If the ring is full because the reader drains
+ * too late, the newest value is lost, and the loss is counted. Therefore a record may have a gap,
+ * but the size of the gap is known. No value is overwritten while it is read. One thread may call
+ * push, one other thread may call drain, and both may read the counts. Copying a Value must neither
+ * allocate nor throw.
  */
 template <class Value>
 class SampleRing
 {
 public:
-  /// With a capacity of 0, no value is stored and none counts as lost.
+  /// `capacity` is the number of slots. With a capacity of 0, no value is stored and none is
+  /// counted as lost.
   explicit SampleRing(std::size_t capacity)
     : Slots(capacity)
   {
@@ -47,8 +49,8 @@ public:
     return true;
   }
 
-  /// For the pushing thread: fills the slot of the next value, so that its memory is in the caches.
-  /// This value is not visible to the reader.
+  /// For the pushing thread. Fills the slot of the next value with a likely value, so that the
+  /// memory of the slot is in the caches. The likely value is not visible to the reader.
   void prepare(const Value& likely) noexcept
   {
     if (this->size() < this->Slots.size())
@@ -58,8 +60,8 @@ public:
   }
 
   /// Calls sink(const Value&) for each value that was present when drain began, oldest first, and
-  /// removes it. Returns the number of values. If the sink throws, its value and the following ones
-  /// remain in the ring.
+  /// removes the value. Returns the number of removed values. If the sink throws, the value that
+  /// was passed to it and the following values remain in the ring.
   template <class Sink>
   std::size_t drain(Sink&& sink)
   {
@@ -75,7 +77,7 @@ public:
   }
 
   std::size_t capacity() const noexcept { return this->Slots.size(); }
-  /// Number of waiting values. In the pushing thread it is never too small.
+  /// Number of values in the ring. In the pushing thread the number is never too small.
   std::size_t size() const noexcept
   {
     const std::uint64_t drained = this->Drained.load(std::memory_order_acquire);
@@ -90,7 +92,7 @@ private:
     return index + 1 < this->Slots.size() ? index + 1 : 0;
   }
 
-  // The members of each thread are in separate cache lines.
+  // The members of the two threads are in separate cache lines.
   static constexpr std::size_t CacheLine = 64;
 
   alignas(CacheLine) std::atomic<std::uint64_t> Pushed{ 0 };

@@ -10,16 +10,17 @@
 namespace palpate
 {
 /**
- * Passes scenes from their owner, the thread that makes and frees them, to the servo thread that
- * renders them, and back. Neither thread ever waits. The servo thread frees no scene.
+ * Passes scenes between two threads: from their owner, which makes and frees them, to the servo
+ * thread, which renders them, and back to the owner. Neither thread ever waits. The servo thread
+ * frees no scene.
  *
- * The owner offers a scene. The servo thread takes it in a tick, and gives back the scenes that it
- * no longer needs. The owner collects and thereby frees the scenes that were given back. A new
- * offer replaces an older one: if the older one has not been taken, the owner frees it.
+ * The owner offers a scene. The servo thread takes the scene in a tick, and gives back the scenes
+ * that it no longer needs. The owner collects the scenes that were given back, which frees them. A
+ * new offer replaces an older one; if the older scene has not been taken, the owner frees it.
  *
  * A Scene must have a member `std::unique_ptr<Scene> next`: scenes that are given back form a list,
- * so that any number of scenes needs no extra memory. One thread may call offer and collect, one
- * other thread take and giveBack.
+ * so that any number of scenes needs no extra memory. One thread may call offer and collect, and
+ * one other thread may call take and giveBack.
  */
 template <class Scene>
 class SceneExchange
@@ -28,14 +29,15 @@ public:
   SceneExchange() = default;
   SceneExchange(const SceneExchange&) = delete;
   SceneExchange& operator=(const SceneExchange&) = delete;
-  /// Frees a scene that was not taken, and the scenes that were not collected.
+  /// Frees the offered scene if it was not taken, and the scenes that were not collected.
   ~SceneExchange()
   {
     this->offer(nullptr);
     this->collect();
   }
 
-  /// For the owner. Replaces an offer that was not taken; null only withdraws it.
+  /// For the owner. Offers a scene and frees the previous offer if it was not taken. If `scene` is
+  /// null, only the previous offer is withdrawn.
   void offer(std::unique_ptr<Scene> scene) noexcept
   {
     const std::unique_ptr<Scene> outdated(
@@ -54,16 +56,18 @@ public:
     return count;
   }
 
-  /// For the servo thread. Takes the newest offer, or null.
+  /// For the servo thread. Takes the newest offer; returns null if there is none.
   std::unique_ptr<Scene> take() noexcept
   {
-    // A load first, because most ticks find no offer, and an exchange costs many times more.
+    // A load precedes the exchange, because most ticks find no offer, and an exchange costs many
+    // times more than a load.
     return std::unique_ptr<Scene>(this->Offered.load(std::memory_order_relaxed) == nullptr
         ? nullptr
         : this->Offered.exchange(nullptr, std::memory_order_acquire));
   }
 
-  /// For the servo thread. Gives back a list of scenes that it no longer needs; null has no effect.
+  /// For the servo thread. Gives back a list of scenes that the thread no longer needs. Null has no
+  /// effect.
   void giveBack(std::unique_ptr<Scene> list) noexcept
   {
     if (!list)
@@ -75,7 +79,8 @@ public:
     {
       last = last->next.get();
     }
-    // Only this thread stores lists here. If the owner collects in the meantime, it finds null.
+    // Only the servo thread stores lists here. If the owner collects between the exchange and the
+    // store, it finds null.
     last->next.reset(this->Returned.exchange(nullptr, std::memory_order_acquire));
     this->Returned.store(list.release(), std::memory_order_release);
   }

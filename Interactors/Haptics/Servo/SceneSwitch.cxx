@@ -34,7 +34,8 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   return contact.deflection * (1.0 + friction.coefficient * ratio);
 }
 
-/// The force of one of the scene's contacts, or of a copy of them, computed by the same code.
+/// Computes the force of one contact of a scene. `contacts` are the scene's contacts or a copy of
+/// them, so that both are computed by the same code.
 [[gnu::hot, gnu::noinline]] SceneForce feel(const ServoScene& scene, CoupledContacts& contacts,
   std::size_t hand, const ToolPose& pose, const StiffnessLimits& limits) noexcept
 {
@@ -49,7 +50,8 @@ double reachOf(const Contact& contact, const FrictionSettings& friction) noexcep
   felt.cappedForce = share * contact.force;
   if (pose.hasAxis())
   {
-    // A smaller force causes a smaller indentation, and its torque is smaller by the same factor.
+    // A smaller force belongs to a smaller indentation, and its torque is smaller by the same
+    // factor.
     const double turning = cappedTorqueShare(contact, limits.turning / scene.forceFactor);
     felt.idealTorque = contact.torque;
     felt.cappedTorque = std::min(share, turning) * contact.torque;
@@ -165,8 +167,8 @@ void SceneSwitch::reset() noexcept
 
 void SceneSwitch::enter(const std::optional<ToolPose>* poses) noexcept
 {
-  // Fraction of the old deflection: the tip is near the side of the old contact, but below most
-  // other surfaces.
+  // Fraction of the old deflection. At this depth the tip is near the surface of the old contact,
+  // but below most other surfaces.
   constexpr double Depth = 0.1;
   for (std::size_t i = 0; i < this->hands(); ++i)
   {
@@ -217,7 +219,7 @@ void SceneSwitch::blend(const SceneForce& before, SceneForce& felt) const noexce
   const double way = this->Ramp.share();
   const double rest = (1.0 - way) * before.forceFactor;
   const double factor = rest + way * felt.forceFactor;
-  // Forces blended by these fractions, times the blended factor, are linear in `way`.
+  // With these fractions and the blended factor, the sent force is a linear function of `way`.
   felt.share = factor > 0.0 ? way * felt.forceFactor / factor : way;
   const double shareBefore = factor > 0.0 ? rest / factor : 1.0 - way;
   felt.idealForce = shareBefore * before.idealForce + felt.share * felt.idealForce;

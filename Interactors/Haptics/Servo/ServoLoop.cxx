@@ -35,7 +35,7 @@ void sleepUntil(std::int64_t deadline) noexcept
   const timespec time{ deadline / NanosecondsPerSecond, deadline % NanosecondsPerSecond };
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) != 0)
   {
-    // a signal has ended the sleep: sleep again until the deadline
+    // a signal has interrupted the sleep, which is repeated until the deadline
   }
 }
 
@@ -219,8 +219,8 @@ bool ServoLoop::goesOn() const noexcept
   this->Samples.fill({});
   const std::int64_t begin = now();
   std::int64_t deadline = begin;
-  std::int64_t before = begin; // start of the last tick
-  std::int64_t skipped = 0;    // deadlines skipped since then
+  std::int64_t before = begin; // start time of the last tick
+  std::int64_t skipped = 0;    // number of skipped deadlines since the last tick
   const auto skip = [&](std::int64_t periods)
   {
     deadline += periods * period;
@@ -297,7 +297,7 @@ void ServoLoop::wait(std::int64_t deadline, double time) noexcept
   this->rehearse(time);
   while (now() < deadline && this->goesOn())
   {
-    // such a short sleep would end too late
+    // a sleep that is so short would end too late
   }
 }
 
@@ -326,7 +326,8 @@ void ServoLoop::rehearse(double time) noexcept
 
 void ServoLoop::finish() noexcept
 {
-  // A device may still be busy with the last force; a disconnected device accepts no force.
+  // A device may still be busy with the last force, and a disconnected device accepts no force.
+  // Therefore the write is repeated.
   constexpr int Attempts = 10;
   constexpr std::int64_t Pause = NanosecondsPerSecond / 1000;
   std::array<bool, ServoStep::Most> isDone{};

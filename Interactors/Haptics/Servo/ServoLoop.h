@@ -27,43 +27,44 @@ namespace palpate
 struct PALPATE_EXPORT ServoLoopSettings
 {
   static constexpr double MaximumRate = 100000.0;
-  static constexpr double MaximumRecordedTicks = 1e7; ///< a few gigabytes
+  static constexpr double MaximumRecordedTicks = 1e7; ///< corresponds to a few gigabytes
 
   double rate = 1000.0; ///< ticks per second, 1 to MaximumRate
-  /// Time (s) for which ticks are kept for drain() before they are lost; 0: no recording. The
-  /// constructor allocates the memory, about 600 bytes per tick and device.
+  /// Time, s, for which ticks are kept for drain() before they are lost. With 0 nothing is
+  /// recorded. The constructor allocates the memory, about 600 bytes per tick and device.
   double recordedSeconds = 0.0;
-  /// Time (s) before each deadline at which the thread wakes up. It then computes the tick in
-  /// advance (ServoStep::rehearse) and waits without sleeping. Therefore the sample is read on
-  /// time, and its force is sent sooner. A processor is busy during this time; 0 (none) to half a
-  /// period.
+  /// Time, s, before each deadline at which the thread wakes up, from 0 to half a period. The
+  /// thread then computes the tick in advance (ServoStep::rehearse) and waits without sleeping.
+  /// Therefore the sample is read on time, and the force is sent sooner. One processor is busy
+  /// during this time. With 0 there is no rehearsal.
   double rehearsal = 0.0;
   RealTimeRequest realTime;
 
-  /// The fault of the first setting that is out of its range, as text, or "".
+  /// Describes the first setting that is out of its range. Returns "" if there is none.
   std::string fault() const;
 };
 
 /**
- * The servo thread: devices → ServoStep → devices at a fixed rate. It publishes the newest tick in
- * a slot and every tick in a ring. Several devices are all read, then stepped, then written, in one
- * thread and with one time; each device has a separate slot and ring.
+ * The servo thread. At a fixed rate it reads the devices, computes a ServoStep and writes the
+ * forces to the devices. It publishes the newest tick in a slot and every tick in a ring. If there
+ * are several devices, one thread reads all of them, computes their steps and writes all forces, at
+ * one common time. Each device has a separate slot and ring.
  *
  * Deadlines are absolute: tick k is due k periods after the start. This due time is the time of the
- * tick, no matter when the thread wakes up. A tick that cannot begin before the next one is due is
- * missed: it is skipped and counted, so that a loop which is too slow still sleeps between ticks.
- * Therefore the newest tick has k = ticks + missed - 1.
+ * tick, regardless of when the thread wakes up. A tick that cannot begin before the next one is due
+ * is missed. Missed ticks are skipped and counted, so that a loop that is too slow still sleeps
+ * between ticks. Therefore the index of the newest tick is k = ticks + missed - 1.
  *
- * The thread requests real-time scheduling and, on request, locked memory; grant() returns the
- * result. A tick neither allocates, frees, locks, logs nor throws.
+ * The thread requests real-time scheduling and, if the settings say so, locked memory; grant()
+ * returns the granted rights. A tick neither allocates, frees, locks, logs nor throws.
  *
- * Zero force is written when the loop is stopped or destroyed, also when an exception unwinds its
- * owner. A device or step that throws, although it must not, ends the process: see
+ * Zero force is written when the loop is stopped or destroyed, including its destruction by an
+ * exception in the owner. A device or step that throws, although it must not, ends the process: see
  * releaseForceOnTerminate. The last tick published after a stop has no force and has
  * SafetyLink::Stopped set.
  *
- * All public functions are for one owning thread. The device must outlive the loop. The scenes
- * share the ownership of their bodies.
+ * All public functions must be called by one thread, the owner. The device must outlive the loop.
+ * The scenes share the ownership of their bodies.
  */
 class PALPATE_EXPORT ServoLoop
 {
@@ -71,58 +72,60 @@ public:
   ServoLoop(HapticDevice& device, ServoStep step, const ServoLoopSettings& settings);
   /// `rate` in ticks per second.
   ServoLoop(HapticDevice& device, ServoStep step, double rate);
-  /// One device per hand of the step, none of them null; further devices are ignored.
+  /// `devices` contains one device per hand of the step, none of them null. Further devices are
+  /// ignored.
   ServoLoop(std::vector<HapticDevice*> devices, ServoStep step, const ServoLoopSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /// Starts the ticks at time 0; a running loop continues. Returns the fault of the settings, the
-  /// reason why there is no thread, or "". Waits until the system has granted or refused the
-  /// requests, but not for a tick.
+  /// Starts the ticks at time 0. A loop that is already running continues. Returns "" on success,
+  /// else the fault of the settings or the reason why no thread could be created. Waits until the
+  /// system has granted or refused the requests, but not until the first tick.
   std::string start();
-  /// Waits for the end of the present tick, at most a period, and then until the devices have
-  /// accepted zero force, at most about 10 ms.
+  /// Stops the ticks. Waits for the end of the present tick, at most one period. Then waits until
+  /// the devices have accepted zero force, at most about 10 ms.
   void stop();
   bool isRunning() const noexcept { return this->Thread.joinable(); }
   /// The rights granted to the thread at the last start.
   const RealTimeGrant& grant() const noexcept { return this->Grant; }
 
   std::size_t devices() const noexcept { return this->Devices.size(); }
-  /// The newest tick of a device; a default one before the first tick.
+  /// The newest tick of a device. Before the first tick it is a default tick.
   const Tick& newest(std::size_t device = 0) noexcept
   {
     return this->Channels[device]->latest.read();
   }
-  /// Calls sink(const Tick&) for every tick since the last drain, oldest first; returns their
-  /// number. Also works after a stop. Ticks for which there was no space are counted in the
-  /// statistics.
+  /// Calls sink(const Tick&) for every recorded tick since the last drain, oldest first. Returns
+  /// the number of ticks. Also works after a stop. The statistics count the ticks that were lost
+  /// because there was no space.
   template <class Sink>
   std::size_t drain(Sink&& sink, std::size_t device = 0)
   {
     return this->Channels[device]->recording.drain(sink);
   }
 
-  /// Renders another scene after the next tick, or after the next start: the force changes to the
-  /// new one within 50 ms (ServoStep). If several scenes are passed in quick succession, only the
-  /// newest is certain to be rendered. Frees the scenes that are no longer in use. The scene must
-  /// be made for the number of devices.
+  /// Changes to another scene at the next tick, or at the next start. The force changes to that of
+  /// the new scene within 50 ms (ServoStep). If several scenes are passed in quick succession, only
+  /// the newest is certain to be rendered. Frees the scenes that are no longer in use. The scene
+  /// must be made for the number of devices.
   void changeScene(std::unique_ptr<ServoScene> scene);
-  /// Frees the scenes that are no longer in use, some time after a change; returns their number.
+  /// Frees the scenes that are no longer in use. To be called some time after a change. Returns the
+  /// number of freed scenes.
   std::size_t freeScenes() noexcept { return this->Scenes.collect(); }
 
-  /// Statistics since the construction or the last reset; some counts may differ by a tick, see
-  /// ServoMeter. Samples, forces and errors are counted for each device, and summed.
+  /// Statistics since the construction or the last reset. Some counts may differ by one tick, see
+  /// ServoMeter. Samples, forces and errors are the sums over all devices.
   ServoStatistics statistics() const;
   void resetStatistics();
-  /// Counts since the construction.
+  /// Number of ticks since the construction.
   std::uint64_t ticks() const noexcept { return this->Meter.ticks.total(); }
   std::uint64_t missed() const noexcept { return this->Meter.missed.total(); }
   /// Number of ticks that drain() cannot return, because the ring was full.
   std::uint64_t overruns() const noexcept;
 
 private:
-  /// The data that the owner reads from one device.
+  /// The data of one device that the owner reads.
   struct Channel
   {
     explicit Channel(std::size_t recordedTicks)
@@ -138,12 +141,13 @@ private:
   void tick(double time) noexcept;
   void write(std::size_t device, const DeviceSample& sample, const Tick& tick) noexcept;
   void takeScene() noexcept;
-  /// Waits until a deadline, ns, and makes a rehearsal before it. `time` (s) is that of the tick at
-  /// the deadline.
+  /// Waits until `deadline` (ns) and computes a rehearsal before it. `time` (s) is the time of the
+  /// tick at the deadline.
   void wait(std::int64_t deadline, double time) noexcept;
-  /// Computes the next tick in advance, and prefetches the memory to which it will be written.
+  /// Computes the next tick in advance, and prefetches the memory to which the next tick will be
+  /// written.
   void rehearse(double time) noexcept;
-  /// Sets zero force at the devices, in the step and in the published tick.
+  /// Writes zero force to the devices and sets it in the step and in the published tick.
   void finish() noexcept;
   DeviceErrors errors() const;
 
@@ -151,9 +155,9 @@ private:
   ServoStep Step;
   ServoLoopSettings Settings;
   std::vector<std::unique_ptr<Channel>> Channels;
-  // One for each device:
+  // The arrays below have one element for each device.
   std::array<DeviceSample, ServoStep::Most> Samples;
-  /// The last samples, advanced by their last displacements.
+  /// The last samples, extrapolated by their last displacements.
   std::array<DeviceSample, ServoStep::Most> Likely;
   std::array<Tick, ServoStep::Most> Newest;
   std::array<Tick, ServoStep::Most> Rehearsed;
@@ -161,8 +165,8 @@ private:
   ServoMeter Meter;
   std::atomic<bool> Stopping{ false };
 
-  RealTimeGrant Grant;              ///< used only by the owner, like all members below
-  DeviceErrors ErrorsBefore;        ///< errors at the last reset of the statistics
+  RealTimeGrant Grant;       ///< this member and all members below are used only by the owner
+  DeviceErrors ErrorsBefore; ///< errors at the last reset of the statistics
   std::uint64_t OverrunsBefore = 0; ///< overruns at the last reset of the statistics
   std::thread Thread;
 };

@@ -20,20 +20,21 @@ struct PALPATE_EXPORT ServoStatistics
   RealTimeGrant grant; ///< grant of the last start
 
   std::uint64_t ticks = 0;
-  /// Ticks that were skipped because they could not begin within their period.
+  /// Number of ticks that were skipped because they could not begin within their period.
   std::uint64_t missed = 0;
   std::uint64_t invalidSamples = 0;  ///< ticks in which the device had no valid sample
   std::uint64_t repeatedSamples = 0; ///< ticks whose valid sample was not new
   std::uint64_t refusedForces = 0;   ///< ticks whose force the device did not accept
   std::uint64_t overruns = 0;        ///< ticks for which the recording had no space
-  std::uint64_t sceneChanges = 0;    ///< number of scenes that were taken
-  DeviceErrors device;               ///< the counts of the device
+  std::uint64_t sceneChanges = 0;    ///< number of scenes that the servo thread has taken
+  DeviceErrors device;               ///< error counts of the device
 
   LatencyCounts period; ///< time from the beginning of a tick to that of the next tick
   LatencyCounts wakeUp; ///< time from a tick's deadline to its beginning
   LatencyCounts tick;   ///< time from a tick's beginning until its force is sent and published
 
-  /// A few lines of text: counts, and median, 99 %, 99.9 % and worst of the three times in µs.
+  /// A few lines of text with the counts, and with the median, the 99 % and 99.9 % quantiles and
+  /// the maximum of the three times, µs.
   std::string describe() const;
 };
 
@@ -47,19 +48,19 @@ public:
       this->Events.load(std::memory_order_relaxed) + events, std::memory_order_release);
   }
   std::uint64_t total() const noexcept { return this->Events.load(std::memory_order_acquire); }
-  /// Events since the last reset; read and reset are for one thread.
+  /// Number of events since the last reset. read and reset are for one thread.
   std::uint64_t read() const noexcept { return this->total() - this->Baseline; }
   void reset() noexcept { this->Baseline = this->total(); }
 
 private:
   std::atomic<std::uint64_t> Events{ 0 };
-  std::uint64_t Baseline = 0; ///< the total at the last reset; used by the reading thread only
+  std::uint64_t Baseline = 0; ///< the total at the last reset, used only by the reading thread
 };
 
 /**
- * The statistics of a servo loop. The servo thread adds to them, one other thread reads and resets
- * them; neither ever waits. LatencyHistogram describes how exact a reading is; the counts of one
- * reading may differ by the present tick.
+ * The statistics of a servo loop. The servo thread adds to the statistics, and one other thread
+ * reads and resets them. Neither thread ever waits. LatencyHistogram documents the accuracy of a
+ * reading. The counts of one reading may differ from one another by the present tick.
  */
 struct PALPATE_EXPORT ServoMeter
 {
@@ -73,8 +74,8 @@ struct PALPATE_EXPORT ServoMeter
   EventCount refusedForces;
   EventCount sceneChanges;
 
-  /// Writes the statistics since the last reset; fields that are not measured by this class are
-  /// unchanged.
+  /// Writes the statistics since the last reset to `statistics`. Fields that this class does not
+  /// measure are unchanged.
   void read(ServoStatistics& statistics) const noexcept;
   void reset() noexcept;
 };

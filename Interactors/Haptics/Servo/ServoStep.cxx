@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-/// A scene of a body that the caller owns.
+/// Makes a scene for a body that the caller owns.
 std::unique_ptr<ServoScene> sceneOf(const ContactBody& body, const ContactSettings& settings)
 {
   const std::shared_ptr<void> nobody;
@@ -102,8 +102,8 @@ void ServoStep::makeRehearsal(const DeviceSample* likely, double time, Tick* tic
   this->makeTicks(this->Rehearsed, likely, time, this->since(time), ticks);
 }
 
-// A rehearsal must load the code of the tick itself into the caches; therefore this is one function
-// and never inlined.
+// A rehearsal must load the code of the tick itself into the caches. Therefore this code is one
+// function and is never inlined.
 [[gnu::hot, gnu::noinline]] std::size_t ServoStep::makeTicks(std::vector<Device>& devices,
   const DeviceSample* samples, double time, double elapsed, Tick* ticks) noexcept
 {
@@ -121,7 +121,7 @@ void ServoStep::makeRehearsal(const DeviceSample* likely, double time, Tick* tic
     if (ticks[i].valid)
     {
       const ToolPose pose = end.follow(elapsed, ticks[i]);
-      // A single hand is followed even while its force is ended.
+      // A single hand is followed even while its force has ended.
       if (count == 1 || !end.isEnded(time))
       {
         poses[i].emplace(pose);
@@ -160,7 +160,7 @@ void ServoStep::makeRehearsal(const DeviceSample* likely, double time, Tick* tic
 
 void ServoStep::shareEnergy(std::vector<Device>& devices) noexcept
 {
-  // Twice the energy that a linear scene stores at each hand.
+  // Returns twice the energy that a linear scene stores at a hand, J.
   const auto held = [](const Device& device)
   { return device.sharesEnergy ? device.input.idealForce.norm() * device.input.depth : 0.0; };
   const auto spareOf = [](const Device& device)

@@ -12,19 +12,20 @@
 namespace palpate
 {
 /**
- * The ticks of the last seconds, oldest first: for ticks that are drained from a servo loop and
- * need not be kept permanently.
+ * The ticks of the last seconds, oldest first. It stores ticks that are drained from a servo loop
+ * and need not be kept permanently.
  *
- * The history keeps the newest tick and the ticks whose time is within `seconds` before it: seconds
- * * rate ticks of a loop that misses none. Ticks are numbered from 0 in the order in which they are
- * added, so that a reader can find the new ones. At most seconds * rate + 1 ticks are kept, about
- * 600 bytes each; memory is used only for ticks that were added. For the thread that drains, not
- * for the servo thread.
+ * The history keeps the newest tick and all ticks whose times are at most `seconds` before it.
+ * These are seconds * rate ticks if the loop misses no tick, and at most one more. A tick needs
+ * about 600 bytes; memory is used only for ticks that were added. Ticks are numbered from 0 in the
+ * order in which they are added, so that a reader can find new ticks. All functions are for the
+ * thread that drains, not for the servo thread.
  */
 class TickHistory
 {
 public:
-  /// `seconds` in s, `rate` in ticks per second; both finite. With 0 seconds no tick is kept.
+  /// `seconds` is the duration to keep, s. `rate` is in ticks per second. Both must be finite. With
+  /// 0 seconds no tick is kept.
   TickHistory(double seconds, double rate)
     : Seconds(seconds)
     , HalfPeriod(0.5 / rate)
@@ -59,7 +60,7 @@ public:
   }
 
   std::size_t size() const noexcept { return this->Count; }
-  /// The tick at an index; 0 is the oldest.
+  /// The tick at an index. The index 0 is that of the oldest tick.
   const Tick& operator[](std::size_t index) const noexcept
   {
     return this->Slots[(this->Begin + index) % this->Capacity];

@@ -12,15 +12,16 @@
 
 namespace palpate
 {
-/// Faults of a device in order of severity. If several are due, the most severe one occurs.
+/// Faults of a device in order of severity. If several faults are due at once, the most severe one
+/// occurs.
 enum class DeviceFault : std::uint8_t
 {
   NotANumber, ///< a reading's position and velocity are NaN, but it is marked valid
   Repeated,   ///< a reading repeats the last one, but is marked new
-  Dropped,    ///< a reading is lost: the last one is repeated and marked not fresh
-  Late,       ///< a reading arrives later, replaces those due until then, and is marked new
-  Stall,      ///< the device hangs: no reading is fresh, and the last force continues
-  Disconnect  ///< no reading is valid, no force is accepted, and none acts on the hand
+  Dropped,    ///< a reading is lost; the last one is repeated and marked as not fresh
+  Late,       ///< a reading arrives later, replaces the readings due until then, and is marked new
+  Stall,      ///< the device hangs; no reading is fresh, and the last force continues
+  Disconnect  ///< no reading is valid, no force is accepted, and no force acts on the hand
 };
 constexpr std::size_t DeviceFaultCount = 6;
 
@@ -29,15 +30,16 @@ struct ScheduledFault
 {
   DeviceFault fault = DeviceFault::Dropped;
   double start = 0.0; ///< s
-  /// s. The fault affects every reading of start <= time < start + duration, and at least the first
-  /// reading at or after its start. For Late: the delay of the first late reading.
+  /// Duration, s. The fault affects every reading with start <= time < start + duration, and at
+  /// least the first reading at or after its start. For Late, the duration is the delay of the
+  /// first late reading.
   double duration = 0.0;
 };
 
 /// Random faults, reproducible by the seed.
 struct FaultRate
 {
-  double probability = 0.0; ///< probability that the fault begins at a given reading, 0 to 1
+  double probability = 0.0; ///< s, as in ScheduledFault
   double duration = 0.0;    ///< s, as in ScheduledFault
 };
 
@@ -45,15 +47,15 @@ struct FaultRate
 struct DeviceFaults
 {
   std::vector<ScheduledFault> schedule; ///< faults at given times, in any order
-  /// Indexed by fault: rates[size_t(DeviceFault::Late)].
+  /// Indexed by fault, for example rates[size_t(DeviceFault::Late)].
   std::array<FaultRate, DeviceFaultCount> rates;
   std::uint64_t seed = 1;
 
   FaultRate& rate(DeviceFault fault) { return this->rates[static_cast<std::size_t>(fault)]; }
 };
 
-/// The fault of the first number that is out of its range, with the name of the device fault; or
-/// "".
+/// Describes the first number that is out of its range, with the name of the device fault. Returns
+/// "" if there is none.
 PALPATE_EXPORT std::string fault(const DeviceFaults& faults);
 } // namespace palpate
 

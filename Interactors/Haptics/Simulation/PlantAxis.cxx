@@ -16,8 +16,8 @@ namespace
 constexpr int MaximumStretches = 1000;
 constexpr int MaximumEvents = 32;
 constexpr int Bisections = 40;
-/// Length of an interval that is checked for events only at its end, in radians of the hand's own
-/// oscillation: the velocity changes its sign at most once in an interval.
+/// Longest interval, in radians of the hand's own oscillation, that is checked for events only at
+/// its end. The velocity changes its sign at most once in such an interval.
 constexpr double LongestAngle = 0.5;
 
 int sign(double value)
@@ -31,14 +31,14 @@ PlantAxis::Load later(PlantAxis::Load load, double duration)
   return load;
 }
 
-/// (1 - e^-x)/x
+/// Returns (1 - e^-x)/x.
 double meanDecay(double x)
 {
   return x == 0.0 ? 1.0 : -std::expm1(-x) / x;
 }
 
-/// The response by the power series of the impulse response, accurate for short durations: with βh
-/// < 1 and κh² < 1 the truncated term is below 1e-18 of the first.
+/// Computes the response by the power series of the impulse response, accurate for short durations.
+/// With βh < 1 and κh² < 1 the truncated term is below 1e-18 of the first term.
 PlantAxis::Response shortResponse(double kappa, double beta, double duration)
 {
   constexpr int Terms = 24;
@@ -52,7 +52,7 @@ PlantAxis::Response shortResponse(double kappa, double beta, double duration)
   {
     impulse += term;
     step += term / (n + 1);
-    // From s'' = -βs' - κs, power by power.
+    // The next coefficient follows from s'' = -βs' - κs.
     const double next = -(damping * n * term + stiffness * before) / (n * (n + 1));
     before = term;
     term = next;
@@ -60,7 +60,7 @@ PlantAxis::Response shortResponse(double kappa, double beta, double duration)
   return { impulse, duration * step };
 }
 
-/// The response in closed form, accurate for long durations.
+/// Computes the response in closed form, accurate for long durations.
 PlantAxis::Response longResponse(double kappa, double beta, double duration)
 {
   const double a = 0.5 * beta;
@@ -126,7 +126,8 @@ PlantAxis::State PlantAxis::advance(State state, Load load, double duration) noe
     ++events;
     if (regime.sticks)
     {
-      // The threshold is reached, not exceeded, so that regimeAt would still return sticking.
+      // The threshold is only reached, not exceeded. Therefore regimeAt would still return
+      // sticking.
       regime = this->regimeAt(state, load);
       regime.sticks = false;
       regime.slide = sign(load.targetVelocity);
@@ -147,7 +148,7 @@ double PlantAxis::handForce(const State& state, const Load& load) const noexcept
     this->unlimitedForce(state, load), -this->Hand.maximumForce, this->Hand.maximumForce);
 }
 
-/// The force that the hand would have without a limit, N.
+/// The force that the hand would exert without its limit, N.
 double PlantAxis::unlimitedForce(const State& state, const Load& load) const noexcept
 {
   return this->Hand.stiffness * (load.target - state.position) +
@@ -226,7 +227,7 @@ double PlantAxis::stretchEnd(
 
 double PlantAxis::holdingTime(const State& state, const Load& load, double duration) const noexcept
 {
-  // The hand's force grows at a constant rate while nothing moves.
+  // While the mass is at rest, the hand's force changes at a constant rate.
   const double rate = this->Hand.stiffness * load.targetVelocity;
   if (rate == 0.0)
   {

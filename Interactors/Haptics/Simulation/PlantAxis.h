@@ -12,32 +12,33 @@ namespace palpate
  * target moves uniformly.
  *
  * Between events the equation (SimulatedPlant, HandModel) is linear with constant coefficients and
- * is integrated exactly, to rounding, for any duration. Events are: the motion stops, static
- * friction is overcome, the hand's force reaches or leaves its maximum. The times of events are
- * computed to 2^-40 of an interval. Intervals are 0.08 of the hand's period, or a thousandth of the
- * duration if that is longer: two opposite events within one interval may be missed. After 32
- * events in one duration the last regime continues to the end of the duration.
+ * is integrated exactly, to rounding, for any duration. Events are the stop of the motion, the
+ * overcoming of static friction, and the hand's force reaching or leaving its maximum. The times of
+ * events are computed to 2^-40 of an interval. An interval is 0.08 of the hand's period, or a
+ * thousandth of the duration if that is longer. Two opposite events within one interval may be
+ * missed. After 32 events in one duration the last regime continues to the end of the duration.
  *
- * Cost: less than half a microsecond; about forty times that per event.
+ * A call costs less than half a microsecond, and about forty times as much per event.
  */
 class PALPATE_EXPORT PlantAxis
 {
 public:
-  /// State of the mass.
+  /// Position and velocity of the mass.
   struct State
   {
     double position = 0.0; ///< m
     double velocity = 0.0; ///< m/s
   };
-  /// The loads on the mass from one tick to the next.
+  /// The loads on the mass during one tick.
   struct Load
   {
-    double force = 0.0;          ///< force of the motor, N
-    double target = 0.0;         ///< target of the hand at the start, m
+    double force = 0.0;          ///< force of the motor, constant, N
+    double target = 0.0;         ///< target of the hand at the start of the tick, m
     double targetVelocity = 0.0; ///< m/s
   };
 
-  /// The response of x'' = -βx' - κx to a unit impulse (s) and a unit step (∫s), after a time h.
+  /// The solution x of x'' = -βx' - κx at the time h after a unit impulse (s) and after a unit step
+  /// (∫s).
   struct Response
   {
     double impulse = 0.0;
@@ -51,19 +52,19 @@ public:
   double handForce(const State& state, const Load& load) const noexcept;
 
 private:
-  /// The equation between two events.
+  /// The form of the equation of motion between two events.
   struct Regime
   {
     bool sticks = false;
-    int slide = 0; ///< sign of the motion against which friction acts; 0: no sliding
-    int limit = 0; ///< sign of the hand's force if it is at its maximum
+    int slide = 0; ///< direction of the motion that friction opposes; 0 without sliding
+    int limit = 0; ///< sign of the hand's force if it is at its maximum, else 0
   };
 
   double unlimitedForce(const State& state, const Load& load) const noexcept;
   Regime regimeAt(const State& state, const Load& load) const noexcept;
   bool leaves(const Regime& regime, const State& state, const Load& load) const noexcept;
   State move(const Regime& regime, const State& state, const Load& load, double duration) noexcept;
-  /// The end of an interval, or the first event within it.
+  /// Returns the end of an interval, or the time of the first event within it.
   double stretchEnd(
     const Regime& regime, const State& state, const Load& load, double duration) noexcept;
   /// The time for which friction holds the mass, at most `duration`.
@@ -76,7 +77,7 @@ private:
   bool HasEvents;
   double LongestStretch; ///< s
 
-  /// The last computed response, because the axes of a device mostly need the same one.
+  /// The last computed response is stored, because the axes of a device mostly need the same one.
   double LastKappa = 0.0;
   double LastBeta = 0.0;
   double LastDuration = 0.0;

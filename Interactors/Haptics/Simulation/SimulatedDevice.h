@@ -17,56 +17,60 @@
 namespace palpate
 {
 /**
- * A device without hardware, of two kinds. In virtual time it is bit for bit deterministic: it
- * depends only on its settings, the times of the readings and the written forces. FaultyDevice adds
- * faults.
+ * A simulated device, of one of two kinds. In virtual time it is bit for bit deterministic: the
+ * samples depend only on the settings, the times of the readings and the written forces.
+ * FaultyDevice adds faults.
  *
- * A **stiff hand** follows a path in time, or steerTo (SteeredTarget), and ignores the force: the
- * sample depends only on the path or target and on the time.
+ * A **stiff hand** follows a path in time, or the target of steerTo (SteeredTarget), and ignores
+ * the force.
  *
- * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). It is
- * connected to a spring and a damper (HandModel) whose target follows a path, or steerTo, so that
- * the plant moves under the force. It starts at the first reading, at rest at the hand's target and
- * without force. A written force acts from the time of the preceding reading, plus the force delay,
- * until the next force. The force is not limited to the specification (the safety chain does that).
- * Between the ticks the motion is integrated exactly, so that the time between two readings is
- * arbitrary. A time that does not increase repeats the last reading, not fresh. The reported
- * velocity is that of the mass or, with an encoder step, the difference of the last two readings
- * divided by their time.
+ * A **plant in a hand** has a mass, damping, friction, encoders and delays (SimulatedPlant). A
+ * spring and a damper (HandModel) connect it to a target, which follows a path or is set by
+ * steerTo. Therefore the plant moves under the force. At the first reading the plant is at rest at
+ * the hand's target, without force. A written force acts from the time of the preceding reading,
+ * plus the force delay, until the next force. The force is not limited to the specification,
+ * because the safety chain limits it. Between the ticks the motion is integrated exactly, so that
+ * the time between two readings is arbitrary. If the time does not increase, the last reading is
+ * repeated and is not fresh. The reported velocity is that of the mass or, with an encoder step,
+ * the difference of the last two readings divided by the time between them.
  *
  * The device reports the tool's orientation if the way points of its path have an axis, or after
- * turnTo. Torques also turn a plant with an inertia; it begins with the hand's target orientation.
+ * turnTo. If the plant has an inertia, torques turn it; it begins with the hand's target
+ * orientation.
  *
- * If settings are out of range (`fault` of HeldPlant; a path that is not finite or whose times
- * decrease; a rate outside 0 to 100000 Hz), no sample is valid and status() returns the reason.
- * read and write of a plant are for one thread, steerTo for one other; none of them waits or
- * allocates. setBody and touch are for the thread of steerTo; they may allocate. A tick costs a
- * microsecond; with friction or a limited hand about ten per axis at an event (PlantAxis).
+ * If a setting is out of its range, no sample is valid and status() returns the reason. The checks
+ * cover the plant and the hand (`fault` of HeldPlant), the path (finite, with times that do not
+ * decrease) and the rate (0 to 100000 Hz). One thread calls read and write of a plant, one other
+ * thread calls steerTo; these functions neither wait nor allocate. setBody and touch are for the
+ * thread that calls steerTo; they may allocate. A tick costs one microsecond. With friction or a
+ * limited hand, an event costs about ten microseconds per axis (PlantAxis).
  */
 class PALPATE_EXPORT SimulatedDevice final : public HapticDevice
 {
 public:
   using WayPoint = palpate::WayPoint;
 
-  /// A stiff hand.
+  /// Makes a stiff hand that follows a path.
   explicit SimulatedDevice(
     std::vector<WayPoint> path, const DeviceSpecification& specification = {});
-  /// A stiff hand that is steered, for example by a mouse.
+  /// Makes a stiff hand that is steered, for example by a mouse, and starts at `start` (m).
   explicit SimulatedDevice(
     const Eigen::Vector3d& start, const DeviceSpecification& specification = {});
-  /// A plant in a hand that follows a path (of a script or a file, or a single point at rest).
+  /// Makes a plant in a hand that follows a path, which may be a single point.
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, std::vector<WayPoint> path,
     const DeviceSpecification& specification = {});
-  /// A plant in a hand that is steered, for example by a mouse, or step by step by a script.
+  /// Makes a plant in a hand that is steered, for example by a mouse or by a script, and starts at
+  /// `start` (m).
   SimulatedDevice(const SimulatedPlant& plant, const HandModel& hand, const Eigen::Vector3d& start,
     const DeviceSpecification& specification = {});
 
   const DeviceSpecification& specification() const noexcept override { return this->Limits; }
-  /// The sample is not valid for an empty path, for a target of a stiff hand that is not finite,
-  /// and for a `time` that is not finite, except with a steered stiff hand.
+  /// The sample is not valid if the path is empty, or if the target of a stiff hand is not finite.
+  /// It is also not valid if `time` is not finite, unless the device is a stiff hand that is
+  /// steered.
   DeviceSample read(double time) noexcept override;
   /// A stiff hand accepts any force, finite or not. A plant rejects a force that is not finite, and
-  /// then has no force.
+  /// its force is then zero.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -74,28 +78,30 @@ public:
   bool writeWrench(const Wrench& wrench) noexcept override;
   std::string status() const override;
 
-  /// Sets the target of a steered hand, m (SteeredTarget). No effect on a hand with a path. A hand
-  /// does not move towards a target that is not finite.
+  /// Sets the target of a steered hand, m (SteeredTarget). No effect on a hand with a path. The
+  /// hand does not move while the target is not finite.
   void steerTo(const Eigen::Vector3d& target) noexcept;
 
-  /// Sets the axis (from tip to hand, not normalised, the device's frame) along which a steered
-  /// hand holds the tool (SteeredAxis); zero: unknown, as at the start. No effect on a hand with a
-  /// path, or if the axis is not finite.
+  /// Sets the axis along which a steered hand holds the tool (SteeredAxis). The axis is in the
+  /// device frame, from tip to hand, and need not be normalised. Zero means an unknown axis, as at
+  /// the start. No effect on a hand with a path, or if the axis is not finite.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
-  /// Sets the body that a steered hand touches, not null, and the mapping to its frame. The mapping
-  /// must not change after the first reading. The device keeps the body while it is in use.
+  /// Sets the body that a steered hand touches and the mapping to its frame. The body must not be
+  /// null. The mapping must not change after the first reading. The device keeps the body while it
+  /// is in use.
   void setBody(std::shared_ptr<const ContactBody> body, const WorkspaceMapping& mapping);
-  /// Moves a steered hand around the body to `height` (mm, negative: pressed) above a point of its
-  /// surface with an outward unit normal, in the body's frame: see GuidedHand. Before the first
-  /// reading, the hand starts there, or at the free height if it presses. Takes 20 to some thousand
-  /// searches of a closest point (TouchPlanner). No effect on a hand with a path, without a body,
-  /// or if a number is not finite.
+  /// Moves a steered hand around the body to a point on its surface (GuidedHand). `point` and
+  /// `normal`, the outward unit normal, are in the body frame. `height` is the height of the tip
+  /// above the point, mm; negative if the tip presses. Before the first reading the hand starts
+  /// there, or at the free height if it presses. The call costs 20 to some thousand closest-point
+  /// queries (TouchPlanner). No effect on a hand with a path, without a body, or if a number is not
+  /// finite.
   void touch(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double height);
 
   const Eigen::Vector3d& lastForce() const noexcept { return this->Last.force; }
   const Eigen::Vector3d& lastTorque() const noexcept { return this->Last.torque; }
-  /// Time of the last way point, s; 0 for an empty path or a steered hand.
+  /// Time of the last way point, s. It is 0 for an empty path or a steered hand.
   double duration() const noexcept { return this->Duration; }
   /// Position (m) and velocity (m/s) of a plant at its last measurement, not rounded to the
   /// encoder's step; zero for a stiff hand.
@@ -110,7 +116,7 @@ private:
   std::unique_ptr<SteeredTarget> Target;   ///< target of a stiff hand without a path
   TouchPlanner Planner;                    ///< for the thread that steers
   SteeredAxis Shaft;                       ///< axis of a stiff hand without a path
-  std::unique_ptr<SimulatedMotion> Motion; ///< null: a stiff hand
+  std::unique_ptr<SimulatedMotion> Motion; ///< null for a stiff hand
   double Duration = 0.0;
   Wrench Last;
 };

@@ -11,20 +11,21 @@ namespace
 {
 constexpr double FastestRate = 1e5; // Hz
 
-/// The rotation vector of an orientation; zero if it is unknown.
+/// The rotation vector of an orientation; zero if the orientation is unknown.
 Eigen::Vector3d turnOf(const ToolOrientation& orientation) noexcept
 {
   return isTold(orientation) ? turnBetween(ToolOrientation::Identity(), orientation)
                              : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// Largest number of delayed forces, if ticks are up to four times faster than specified.
+/// Largest number of delayed forces. Ticks may be up to four times as frequent as specified.
 std::size_t pendingForces(const SimulatedPlant& plant, double rate)
 {
   return 4 + static_cast<std::size_t>(4.0 * rate * (plant.forceDelay + plant.sampleDelay));
 }
 
-/// The plant of rotations: angles replace displacements, torques replace forces.
+/// Returns the plant of rotations, in which angles replace displacements and torques replace
+/// forces.
 SimulatedPlant turningPlant(const SimulatedPlant& plant)
 {
   SimulatedPlant turning;
@@ -181,7 +182,7 @@ void SimulatedMotion::advanceTo(double time) noexcept
   }
   const Eigen::Vector3d meantFrom = turnOf(isTold(heldBefore) ? heldBefore : held);
   const Eigen::Vector3d turning = (turnOf(held) - meantFrom) / (time - from);
-  // Each interval ends at a way point, or when a delayed force begins to act.
+  // Each interval ends at a way point or at the start of a delayed force.
   while (this->Clock < time)
   {
     this->hold();

@@ -18,35 +18,37 @@
 namespace palpate
 {
 /**
- * The implementation of a simulated device with a mass: it receives forces, advances to the time of
- * the next reading, and measures as encoders do.
+ * The motion of a simulated device with a mass. The class receives forces, advances to the time of
+ * the next reading, and measures position and velocity as encoders do.
  *
- * It advances from one change of the force, or of the target's velocity, to the next one, each
- * interval by PlantAxis. It starts at rest at the hand's target at the first reading. With a sample
- * delay the whole plant is computed for an earlier time, so that only delayed forces are stored.
- * read and write are for one thread, and do not allocate.
+ * The motion is divided into intervals at each change of the force or of the target's velocity;
+ * PlantAxis computes each interval. At the first reading the plant is at rest at the hand's target.
+ * With a sample delay, the whole plant is computed for an earlier time, so that only delayed forces
+ * must be stored. read and write are for one thread and do not allocate.
  */
 class PALPATE_EXPORT SimulatedMotion
 {
 public:
-  /// The hand follows `path`; if the path is empty, the hand is steered and starts at `start`.
+  /// The hand follows `path`. If the path is empty, the hand is steered and starts at `start` (m).
+  /// `rate` is the expected rate of the ticks, Hz.
   SimulatedMotion(const SimulatedPlant& plant, const HandModel& hand, TimedPath path,
     const Eigen::Vector3d& start, double rate);
 
   DeviceSample read(double time) noexcept;
   bool write(const Wrench& wrench) noexcept;
-  /// The target of the hand, for one other thread; null if the hand follows a path.
+  /// The target of the hand, which one other thread may set. Null if the hand follows a path.
   SteeredTarget* steered() noexcept { return this->Steered.get(); }
-  /// For one other thread; no effect on a hand that follows a path.
+  /// Sets the axis towards which a steered hand turns the tool; see SteeredAxis. For the thread
+  /// that steers. No effect on a hand that follows a path.
   void turnTo(const Eigen::Vector3d& axis) noexcept;
 
   /// Position and velocity of the mass at the last measurement, not rounded to the encoder's step;
   /// m, m/s.
   Eigen::Vector3d position() const noexcept;
   Eigen::Vector3d velocity() const noexcept;
-  /// The rotation vector of a plant that turns, rad; zero while its orientation is unknown.
+  /// The rotation vector of a plant with inertia, rad; zero while the orientation is unknown.
   Eigen::Vector3d rotation() const noexcept;
-  /// The fault of the settings, or "".
+  /// The fault of the settings, or "" if there is none.
   const std::string& fault() const noexcept { return this->Fault; }
 
 private:
@@ -58,10 +60,10 @@ private:
 
   void begin(double time) noexcept;
   void advanceTo(double time) noexcept;
-  /// Applies the forces whose delay has elapsed.
+  /// Lets the forces act whose delay has elapsed.
   void hold() noexcept;
   DeviceSample measure(double time) const noexcept;
-  /// The hand's target orientation at `time`.
+  /// The hand's target orientation at `time` (s).
   ToolOrientation targetOrientation(double time) const noexcept;
   void beginTurn(const Eigen::Vector3d& rotation) noexcept;
   void turn(const Eigen::Vector3d& target, const Eigen::Vector3d& rate, double duration) noexcept;
@@ -69,13 +71,13 @@ private:
 
   SimulatedPlant Plant;
   PlantAxis Axis;
-  PlantAxis TurningAxis; ///< for angles and torques
+  PlantAxis TurningAxis; ///< equations of motion for angles and torques
   TimedPath Path;
-  std::unique_ptr<SteeredTarget> Steered; ///< null: the hand follows the path
+  std::unique_ptr<SteeredTarget> Steered; ///< null if the hand follows the path
   SteeredAxis SteeredShaft;
   std::string Fault;
 
-  double Clock = std::numeric_limits<double>::quiet_NaN(); ///< the plant's time, s
+  double Clock = std::numeric_limits<double>::quiet_NaN(); ///< time of the plant, s
   double LastTime = -std::numeric_limits<double>::infinity();
   DeviceSample Last;
   PlantAxis::State States[3];

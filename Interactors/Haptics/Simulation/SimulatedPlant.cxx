@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Most = 1e9; // more than any device has; its square does not overflow
+constexpr double Most = 1e9; // larger than for any device; the square does not overflow
 constexpr double Endless = std::numeric_limits<double>::infinity();
 
 struct Setting
@@ -48,7 +48,8 @@ std::string fault(HeldPlant held)
 {
   for (const Setting& setting : settingsOf(held))
   {
-    if (!(*setting.value >= setting.least && *setting.value <= setting.most)) // NaN is outside, too
+    // NaN is also out of range.
+    if (!(*setting.value >= setting.least && *setting.value <= setting.most))
     {
       std::ostringstream text;
       text << setting.name << " must be from " << setting.least << " to " << setting.most << " "

@@ -12,45 +12,50 @@
 namespace palpate
 {
 /**
- * The mechanics and electronics of a simulated device. SI units; each axis is independent:
+ * The mechanics and electronics of a simulated device, in SI units. Each axis obeys independently
  *
  *   m dv/dt = F + hand - b v - f_c sign v
  *
- * F is the last written force, constant until the next one (zero-order hold). At v = 0, static
- * friction balances a force of up to f_c. Both delays may be any fraction of a tick; a loop is
- * affected by their sum.
+ * F is the last written force, which is constant until the next one (zero-order hold). At v = 0,
+ * static friction balances a force of up to f_c. Both delays may be any fraction of a tick. A loop
+ * is affected by the sum of the delays.
  *
- * With an inertia the device outputs torque and turns: each component of r, the rotation vector
- * from the tool's frame to the device's, obeys I d²r/dt² = M + hand - b_θ dr/dt. This is valid for
- * small |r|, as for tilts.
+ * With an inertia, the device outputs torque and turns. Let r be the rotation vector from the
+ * tool's frame to the device frame. Each component of r obeys
+ *   I d²r/dt² = M + hand - b_θ dr/dt.
+ * This equation is valid for small |r|, such as tilts.
  */
 struct SimulatedPlant
 {
-  double mass = 0.1;         ///< m, apparent, kg; at least 1e-6
-  double damping = 1.0;      ///< b, viscous, N s/m
-  double friction = 0.0;     ///< f_c, Coulomb's, N, of each axis
-  double encoderStep = 0.0;  ///< m; readings are multiples of this step; 0: not rounded
-  double forceDelay = 0.0;   ///< time from the tick that writes a force until it acts, s; at most 1
-  double sampleDelay = 0.0;  ///< age of a reading, s; at most 1
-  double inertia = 0.0;      ///< I, kg m²; 0: no torque; the orientation is the hand's target
-  double turnDamping = 1e-3; ///< b_θ, N m s/rad
+  double mass = 0.1;     ///< apparent mass m, kg; at least 1e-6
+  double damping = 1.0;  ///< viscous damping b, N s/m
+  double friction = 0.0; ///< Coulomb friction f_c of each axis, N
+  /// Step of the encoders, m; readings are multiples of it. 0 for readings without rounding.
+  double encoderStep = 0.0;
+  /// Time between the tick that writes a force and the start of the force, s; at most 1.
+  double forceDelay = 0.0;
+  double sampleDelay = 0.0; ///< age of a reading, s; at most 1
+  double inertia = 0.0; ///< moment of inertia I, kg m²; if 0, the device outputs no torque and has
+                        ///< the hand's target orientation
+  double turnDamping = 1e-3; ///< rotational damping b_θ, N m s/rad
 };
 
 /**
- * A hand on the device: a spring and a damper between the device and the hand's target x_t, with a
- * limited force on each axis:
+ * A hand on the device, modelled as a spring and a damper between the device and the hand's target
+ * x_t. On each axis the force is
  *
- * hand = k (x_t - x) + b (v_t - v), limited to ± the maximum force
+ *   hand = k (x_t - x) + b (v_t - v), limited to ± the maximum force.
  *
  * The defaults have the order of magnitude of a relaxed grip.
  */
 struct HandModel
 {
-  double stiffness = 300.0; ///< k, N/m; if damping is 0 as well, there is no hand
-  double damping = 5.0;     ///< b, N s/m
-  double maximumForce = std::numeric_limits<double>::infinity(); ///< N, on each axis
-  double turnStiffness = 0.5;    ///< rotational, N m/rad, towards the hand's target
-  double turnHandDamping = 5e-3; ///< N m s/rad
+  double stiffness = 300.0; ///< stiffness k, N/m; if stiffness and damping are 0, there is no hand
+  double damping = 5.0;     ///< damping b, N s/m
+  double maximumForce = std::numeric_limits<double>::infinity(); ///< largest force on each axis, N
+  /// Rotational stiffness towards the hand's target orientation, N m/rad.
+  double turnStiffness = 0.5;
+  double turnHandDamping = 5e-3; ///< rotational damping, N m s/rad
 };
 
 /// A device and the hand that holds it.
@@ -60,12 +65,14 @@ struct HeldPlant
   HandModel hand;
 };
 
-/// The fault of the first setting that is out of its range, with its name, range and value; or "".
+/// Describes the first setting that is out of its range, with its name, range and value. Returns ""
+/// if there is none.
 PALPATE_EXPORT std::string fault(HeldPlant held);
 
 /**
- * Reads "mass=0.1,damping=1,stiffness=300": each name at most once, in any order; other settings
- * have their defaults. Returns "", or the fault; `held` is then unchanged.
+ * Reads a text such as "mass=0.1,damping=1,stiffness=300". Each name may occur once, in any order;
+ * the other settings get their defaults. Returns "" on success. Otherwise returns the fault and
+ * leaves `held` unchanged.
  *
  * | name           | of                           | unit  | range       | default |
  * |----------------|------------------------------|-------|-------------|---------|
@@ -80,7 +87,7 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
  * | `hand-force`   | hand, maximum                | N     | from 0      | no max. |
  * | `inertia`      | device; 0: no torque         | kg m² | 0 to 1e9    | 0       |
  *
- * and for rotations, per rad:
+ * The settings for rotations are per rad:
  *
  * | name                | of                              | unit  | range    | default |
  * |---------------------|---------------------------------|-------|----------|---------|
@@ -91,11 +98,12 @@ PALPATE_EXPORT std::string fault(HeldPlant held);
 PALPATE_EXPORT std::string readPlant(std::string_view text, HeldPlant& held);
 
 /**
- * The specification of such a device for ticks at `rate` (Hz) and any hand: 10 N; the stiffness
- * b/(T + 2t) in N/m, where t is the sum of the delays; and a damper of b. This stiffness is half
- * that of the stiffest spring which a sampled loop renders passively, b/(T/2 + t) (Colgate and
- * Schenkel 1997; stability with delays: Diolaiti et al. 2006). With an inertia also 0.5 N m and the
- * corresponding torsional stiffness, with b_θ, in N m/rad.
+ * Returns the specification of a simulated device for ticks at `rate` (Hz) and any hand. The
+ * maximum force is 10 N, the maximum stiffness b/(T + 2t) in N/m, and the maximum damping b, where
+ * t is the sum of the delays. This stiffness is half the stiffness b/(T/2 + t) of the stiffest
+ * spring that a sampled loop renders passively (Colgate and Schenkel 1997; for stability with
+ * delays see Diolaiti et al. 2006). With an inertia, the maximum torque is 0.5 N m, and the maximum
+ * torsional stiffness is computed from b_θ in the same way, N m/rad.
  */
 PALPATE_EXPORT DeviceSpecification specificationOf(const SimulatedPlant& plant, double rate);
 } // namespace palpate

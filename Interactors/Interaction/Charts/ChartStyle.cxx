@@ -24,7 +24,7 @@ namespace palpate
 {
 namespace
 {
-// Distance between the title and the frame, as a fraction of a line's height.
+// Distance between the title and the frame, as a fraction of the line height.
 constexpr double TitleGap = 0.4;
 
 std::string textOf(double value)
@@ -34,7 +34,8 @@ std::string textOf(double value)
   return text.data();
 }
 
-/// Puts axis ticks at `first` to `last` times `step`. `label` returns their texts.
+/// Places axis ticks at the integer multiples of `step` from `first` to `last`. `label` returns the
+/// text of the tick with the given integer.
 template <class Label>
 void setTicks(vtkAxis* axis, int first, int last, double step, const Label& label)
 {
@@ -98,7 +99,7 @@ void styleTitle(vtkChart* chart, int size)
 
 void setTitle(vtkChart* chart, const std::string& title)
 {
-  // The empty line makes a gap below the title.
+  // The empty line makes a gap between the title and the chart.
   chart->SetTitle(title.empty() ? title : title + "\n ");
 }
 

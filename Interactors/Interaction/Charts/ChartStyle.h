@@ -18,26 +18,26 @@ namespace palpate
 /// 0 and leaves the axis unchanged.
 double fitAxis(vtkAxis* axis, double largest, int steps = 8);
 
-/// Sets the range of an axis to exactly -span to 0.
+/// Sets the range of an axis to exactly -span to 0, with `steps` steps.
 void fitAxisBefore(vtkAxis* axis, double span, int steps);
 
-/// Sets an axis for values that are decimal logarithms. Its ticks are the decades 10^first to
-/// 10^last. The axis begins `below` before `first`.
+/// Sets an axis whose values are decimal logarithms. Its ticks are the decades 10^first to 10^last.
+/// The axis begins at `first` - `below`.
 void fitLogAxis(vtkAxis* axis, int first, int last, double below = 0.0);
 
-/// Sets the title of an axis, and the sizes of title and labels in points.
+/// Sets the title of an axis, and the sizes of the title and of the labels in points.
 void styleAxis(vtkAxis* axis, const char* title, int titleSize, int labelSize);
 
 /// styleTitle sets the size of the title in points. setTitle sets its text; "" means no title.
-/// Without them VTK would draw the text over the frame.
+/// Without these functions, VTK would draw the title over the frame.
 void styleTitle(vtkChart* chart, int size);
 void setTitle(vtkChart* chart, const std::string& title);
 
-/// Adds a pale area between the second and the third column of a table over its first column; "":
-/// without an entry in the legend.
+/// Adds a pale area between the second and the third column of a table, plotted over the first
+/// column. If `label` is "", the area has no entry in the legend.
 void addBand(vtkChart* chart, vtkTable* table, const Color& color, const std::string& label);
 
-/// Entry in the legend for a band around a curve.
+/// Label in the legend for the error band of a curve.
 extern const char* const BandLabel;
 } // namespace palpate
 

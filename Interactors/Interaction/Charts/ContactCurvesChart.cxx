@@ -36,7 +36,8 @@ void ContactCurvesChart::Line::show(const Curve& curve)
       const double force = curve.force(depth);
       this->band.add(depth, (1.0 - error) * force, (1.0 + error) * force);
     }
-    if (before < join && join < depth) // both parts of the curve contain the point where they join
+    // Both parts of the curve contain the point where the parts join.
+    if (before < join && join < depth)
     {
       this->trusted.add(join, curve.force(join));
       this->beyond.add(join, curve.force(join));
@@ -72,7 +73,7 @@ void ContactCurvesChart::choose(const std::vector<Style>& styles)
   this->chart()->ClearPlots();
   this->Lines.clear();
   this->MemoryPlot = nullptr;
-  bool hasBand = false; // one entry in the legend
+  bool hasBand = false; // so that the legend has only one entry for all bands
   for (const Style& style : styles)
   {
     auto line = std::make_unique<Line>(style.label);

@@ -14,7 +14,7 @@ namespace palpate
 {
 /// Chart of force (N) over deflection (mm) for several curves at a contact. The curves are dotted
 /// beyond validity, and a curve may have an error band. A running point shows the present force. On
-/// a body that relaxes, a line to the point shows the part of the force that is memory.
+/// a body that relaxes, a vertical line at the running point shows the memory part of the force.
 class ContactCurvesChart : public LiveChart
 {
 public:
@@ -34,23 +34,25 @@ public:
         this->width == other.width && this->hasBand == other.hasBand;
     }
   };
-  /// The values of a curve.
+  /// The values of a curve, as functions of the deflection.
   struct Curve
   {
-    std::function<double(double)> force;      ///< N, at a deflection in mm; NaN: no value
-    double end = 0.0;                         ///< largest deflection, mm
-    double validity = 0.0;                    ///< mm
-    std::function<double(double)> error = {}; ///< relative error, at a deflection in mm; null: no
-                                              ///< band
+    /// Force in N at a deflection in mm; NaN if there is no value.
+    std::function<double(double)> force;
+    double end = 0.0;      ///< largest plotted deflection, mm
+    double validity = 0.0; ///< mm
+    /// Relative error at a deflection in mm; null for a curve without a band.
+    std::function<double(double)> error = {};
   };
 
   ContactCurvesChart();
 
   /// Sets the styles, one per curve. Has no effect if the styles are unchanged.
   void choose(const std::vector<Style>& styles);
-  /// Shows one curve per style, at the time `time` (s).
+  /// Shows the curves, one per style, at the time `time` (s).
   void show(const std::vector<Curve>& curves, double time);
-  /// Places or hides the running point; `memory` is the part of the force above the slow force, N.
+  /// Sets or hides the running point. `deflection` is in mm and `force` in N. `memory` is the part
+  /// of the force above the slow force, N.
   void showPoint(double deflection, double force, double memory);
   void hidePoint();
 
@@ -68,7 +70,7 @@ private:
   std::vector<Style> Styles;
   std::vector<std::unique_ptr<Line>> Lines;
   PlotTable Memory;
-  vtkPlot* MemoryPlot = nullptr; ///< owned by the chart; null without curves
+  vtkPlot* MemoryPlot = nullptr; ///< owned by the chart; null if there are no curves
   PlotTable Now;
 };
 } // namespace palpate

@@ -25,17 +25,17 @@ namespace
 using Corners = std::array<Vector3, 3>;
 
 /// Smallest distance of a point from the plane of its triangle, in edge lengths, at which the point
-/// is assumed to be on the smooth surface. It allows for the single precision of the tick's
+/// is assumed to be on the smooth surface. The value allows for the single precision of the tick's
 /// coordinates.
 constexpr double OffPlane = 1e-5;
 
-/// Returns the area coordinates of a point of the patch. They are found by Gauss-Newton steps from
-/// the area coordinates of the point's projection on the facet. Without a patch, returns the
-/// latter.
+/// Returns the area coordinates of a point of the patch. They are computed by Gauss-Newton steps
+/// that start at `foot`, the area coordinates of the point's projection onto the facet. Returns
+/// `foot` if there is no patch.
 Vector3 weightsOnPatch(
   const Corners& corners, const Corners& normals, const Vector3& point, const Vector3& foot)
 {
-  // Sufficient, because convergence is quadratic and the first error is a few per cent.
+  // Enough steps, because the convergence is quadratic and the initial error is a few per cent.
   constexpr int Steps = 5;
   SmoothTriangle patch;
   if (!patch.build(corners, normals))

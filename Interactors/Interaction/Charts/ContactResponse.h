@@ -17,44 +17,48 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The position of a contact on a body.
+/// The position of a contact on a body: a triangle and area coordinates.
 struct ContactTriangle
 {
   std::array<vtkIdType, 3> corners{};
   Vector3 weights = Vector3::Zero(); ///< area coordinates of the contact point: >= 0, sum 1
 
-  /// Sets corners and weights from triangle `index` of the body's polygons and a point, mm. The
-  /// point must be on the triangle, or on the smooth surface over the triangle that is defined by
-  /// the normals of the response `name`. Returns false if there is no such triangle.
+  /// Sets corners and weights. `index` is the index of the triangle among the body's polygons.
+  /// `point` (mm) must be on the triangle, or on the smooth surface over the triangle that is
+  /// defined by the normals of the response `name`. Returns false if there is no such triangle.
   bool find(vtkPolyData* body, const std::string& name, vtkIdType index, const Vector3& point);
 };
 
 /**
- * One response of a body at one contact: the curves of the triangle's corners and their blend by
- * area coordinates. The kernel of the tick evaluates them. The cost does not depend on the size of
- * the body.
+ * One response of a body at one contact: the curves of the triangle's corners and their average
+ * weighted by the area coordinates. The kernel of the servo tick evaluates the curves. The cost
+ * does not depend on the size of the body.
  */
 class ContactResponse
 {
 public:
-  /// Makes the object. Returns null and an error if the body has no valid response `name`.
+  /// Creates the object. Returns null and sets `error` if the body has no valid response `name`.
   static std::unique_ptr<ContactResponse> read(vtkPolyData* body, const std::string& name,
     const ContactTriangle& triangle, std::string& error);
 
-  /// Force of corner k at a deflection (mm), N; NaN if the corner has no response.
+  /// Force of corner k at a deflection (mm), N. NaN if the corner has no response.
   double cornerForce(int k, double deflection) const;
   double cornerRange(int k) const { return this->Field.range(k); }
-  /// Blended force (N) and blended range (mm); NaN if a corner of weight > 0 has no response.
+  /// Weighted average of the corners' forces (N) and of their ranges (mm). NaN if a corner with a
+  /// weight > 0 has no response.
   double force(double deflection) const;
   double range() const;
   /// Whether tilting the tool changes the force.
   bool hasTilt() const { return this->Tilts.terms().areFelt(); }
-  /// The force of the tool tilted by `angle` (rad) with its deepest point at this deflection, N.
+  /// The force, N, if the tool is tilted by `angle` (rad) and the deflection of its deepest point
+  /// is `deflection` (mm).
   double tiltedForce(double deflection, double angle) const;
-  /// Estimated relative error of force(), blended in the same way; NaN beyond a range.
+  /// Estimated relative error of force(), as a weighted average of the corners' errors. NaN beyond
+  /// the range of a corner.
   bool hasError() const { return !this->Errors.empty(); }
   double error(double deflection) const;
-  /// Depth to which all corners are valid, mm; infinite if the body has no validity.
+  /// Depth to which the responses of all corners are valid, mm. Infinite if the body stores no
+  /// validity.
   double validity() const { return this->Validity; }
 
 private:
@@ -69,9 +73,9 @@ private:
   ResponseField Field; ///< response of the three corners
   Vector3 Weights;
   TiltTable Tilts;
-  std::array<double, TiltTerms::MostLaws> TiltWeights{}; ///< of the laws, at the contact
-  std::vector<float> Errors; ///< errors at the samples of the three corners; empty: no errors are
-                             ///< stored
+  std::array<double, TiltTerms::MostLaws> TiltWeights{}; ///< weights of the laws at the contact
+  /// Errors at the samples of the three corners; empty if no errors are stored.
+  std::vector<float> Errors;
   double Validity = std::numeric_limits<double>::infinity();
 };
 } // namespace palpate

@@ -33,7 +33,7 @@ bool ForceDeflectionChart::isNear(const Point& one, const Point& other) const
   const double up = Resolution * this->endUp();
   return std::abs(one.deflection - other.deflection) < across &&
     std::abs(one.ideal - other.ideal) < up &&
-    // True for NaN, which means that no force is applied.
+    // The comparison with NaN gives true; NaN means that no force is applied.
     !(std::abs(one.applied - other.applied) >= up);
 }
 

@@ -10,12 +10,12 @@
 namespace palpate
 {
 /**
- * Chart of the ideal and the applied force (N) over the deflection (mm), since the last beginning
- * of a contact. If the body relaxes, the slow force at these deflections is shown, too; the curve
- * of the ideal force is a loop around it.
+ * Chart of the ideal and the applied force (N) over the deflection (mm) since the present contact
+ * began. If the body relaxes, the slow force at these deflections is also shown; the curve of the
+ * ideal force is then a loop around the curve of the slow force.
  *
- * Successive stored points differ in deflection, or in a force, by at least the fraction Resolution
- * of the axis. At most LargestCount points are stored; the oldest are removed.
+ * Successive stored points differ in deflection or in a force by at least Resolution, a fraction of
+ * the axis. At most LargestCount points are stored; the oldest points are removed.
  */
 class ForceDeflectionChart : public LiveChart
 {
@@ -25,7 +25,7 @@ public:
 
   ForceDeflectionChart();
 
-  /// Adds a tick. `slow` is the ideal force without memory.
+  /// Adds the values of a tick. `slow` is the ideal force without memory.
   void add(bool touches, double deflection, double ideal, double applied, double slow);
   void clear();
   /// Plots the added values, at the time `time` (s).
@@ -47,7 +47,8 @@ private:
   PlotTable Now;
   vtkPlot* AppliedPlot; ///< visible if a force is applied
   vtkPlot* SlowPlot;    ///< visible if the slow force differs from the ideal force
-  /// The last point is the newest tick; it may be closer to the previous point than Resolution.
+  /// The last point is that of the newest tick; its distance from the previous point may be smaller
+  /// than Resolution.
   std::deque<Point> Path;
   bool Touches = false;
 };

@@ -15,8 +15,8 @@ namespace
 {
 constexpr const char* Title = "Force over time";
 constexpr const char* TimeName = "Time before now (s)";
-// Each bin has one or two points, so the number of points exceeds the number of pixels in a chart
-// of this kind.
+// Each bin has one or two points. With this number of bins a curve has more points than a chart of
+// this kind has pixels.
 constexpr std::size_t Bins = 500;
 constexpr int TimeSteps = 5;
 } // namespace
@@ -50,8 +50,8 @@ ForceTimeChart::ForceTimeChart(double seconds)
   , Friction(seconds, "Friction (N)")
   , Memory(seconds, "Memory (N)")
 {
-  // The applied force is drawn over the ideal force. The line of the ideal force is wider, so its
-  // borders stay visible.
+  // The applied force is drawn over the ideal force. The line of the ideal force is wider, so that
+  // its edges remain visible.
   this->Ideal.table.addLine(this->chart(), "Ideal", ForceColor, 4.0F);
   this->AppliedPlot =
     this->Applied.table.addLine(this->chart(), "Applied", AppliedForceColor, 2.0F);

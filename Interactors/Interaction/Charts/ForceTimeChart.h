@@ -18,18 +18,18 @@ public:
 
   void setSeconds(double seconds);
   double seconds() const { return this->Ideal.signal.seconds(); }
-  /// Time of the newest value, s; -inf if there is none.
+  /// Time of the newest value, s. -inf if there is no value.
   double now() const { return this->Ideal.signal.newest(); }
   void add(double time, double ideal, double applied, double friction, double memory);
   void clear();
-  /// Plots the added values. The title shows the number `lostTicks`.
+  /// Plots the added values. The title contains `lostTicks`, the number of lost ticks.
   void show(long long lostTicks);
 
 private:
   struct Line
   {
     explicit Line(double seconds, const char* name);
-    /// Plots the line, and returns its largest value.
+    /// Plots the line up to the time `now` (s) and returns its largest value.
     double show(double now);
 
     SignalEnvelope signal;

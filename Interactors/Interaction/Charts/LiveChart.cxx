@@ -26,14 +26,16 @@ constexpr int LabelSize = 13;
 constexpr int Steps = 5; // largest number of steps of an axis, small enough for a small chart
 
 constexpr double Shape = 1.35; // preferred ratio of width to height of a chart
-constexpr float Margin = 6.0F; // pixels around a chart
+constexpr float Margin = 6.0F; // margin around a chart, pixels
 
-constexpr int SymbolWidth = 24;      // pixels
+constexpr int SymbolWidth = 24;      // width of a symbol in the legend, pixels
 constexpr double LetterWidth = 0.56; // average width of a letter, as a fraction of the font's size
-/// Widest legend to the right of the data, as a fraction of the chart's width.
+/// Largest width of a legend that is placed to the right of the data, as a fraction of the chart's
+/// width.
 constexpr double NarrowLegend = 0.3;
 
-/// Places the legend of a chart of this width (pixels): to the right of the data or above the data.
+/// Places the legend of a chart with the width `width` (pixels) to the right of the data or above
+/// the data.
 void placeLegend(vtkChartXY* chart, double width)
 {
   std::size_t letters = 0;

@@ -26,7 +26,7 @@ public:
   vtkChartXY* chart() { return this->Chart; }
   void setTitle(const std::string& title);
 
-  /// Extend an axis, which starts at 0, if it ends before `largest`.
+  /// Extend an axis, which starts at 0, if its end is below `largest`.
   void growAcross(double largest) { this->grow(AxisAcross, this->EndAcross, largest); }
   void growUp(double largest) { this->grow(AxisUp, this->EndUp, largest); }
   /// Fit the end of an axis to the largest value that is drawn at the time `time` (s).
@@ -38,7 +38,7 @@ public:
   {
     this->fit(AxisUp, this->EndUp, this->RuleUp, largest, time);
   }
-  /// Ends of the axes; 0 before the first call of growAcross() or growUp().
+  /// Ends of the axes. They are 0 before the first call of growAcross() or growUp().
   double endAcross() const { return this->EndAcross; }
   double endUp() const { return this->EndUp; }
   /// Resets both ends to 0. The axes then grow again.
@@ -57,9 +57,9 @@ private:
   ScaleRule RuleUp;
 };
 
-/// Divides a viewport among charts, row by row from the top left. The number of columns makes the
-/// charts as large as possible with a good ratio of width to height. The legend is to the right of
-/// the data if it is narrow, otherwise above the data.
+/// Divides a viewport among charts, row by row from the top left. The number of columns is chosen
+/// so that the charts are as large as possible with a good ratio of width to height. The legend is
+/// to the right of the data if it is narrow, otherwise above the data.
 void layOut(const std::vector<vtkChartXY*>& charts, int width, int height);
 } // namespace palpate
 

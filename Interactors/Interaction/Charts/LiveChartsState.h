@@ -43,12 +43,13 @@ struct vtkLiveCharts::Parts
   double largestForce = 0.0;
   double largestDeflection = 0.0;
 
-  // Body, time and response for which the ranges and curves were made.
+  // The body, its modification time and the response for which the ranges and curves were made.
   vtkSmartPointer<vtkPolyData> known;
   vtkMTimeType knownTime = 0;
   std::string knownName;
 
-  // Position up to which the session's run, or a recording, has been read.
+  // The session's run with the number of its ticks that have been read, and the same for the points
+  // of a recording.
   vtkIdType run = 0;
   std::uint64_t seen = 0;
   vtkSmartPointer<vtkPolyData> probed;
@@ -65,15 +66,17 @@ struct vtkLiveCharts::Parts
       { &this->histogram, this->histogram.chart()->GetVisible() } };
   }
 
-  /// Clears the forces and keeps the ranges of the axes.
+  /// Clears the forces but keeps the ranges of the axes.
   void forget();
-  /// Changes to the responses of a body, if they differ from the present ones.
+  /// Changes to the response `responseName` of a body, if body or response differ from the present
+  /// ones.
   void follow(vtkPolyData* of, const std::string& responseName);
   void chooseRanges();
-  /// Whether the newest contact is tilted so much that its curve differs visibly.
+  /// Whether the newest contact is tilted so much that its curve visibly differs from that of an
+  /// upright tool.
   bool isTilted() const
   {
-    constexpr double upright = 1e-3; // rad, as in the caption
+    constexpr double upright = 1e-3; // smallest visible tilt, rad; as in the caption
     return this->touched.contact.tilt > upright;
   }
   void add(const palpate::Tick& felt);

@@ -17,8 +17,8 @@
 
 namespace palpate
 {
-/// A table of two columns, with its line or marker in a chart. It is filled again for each picture.
-/// A row of NaN makes a gap in the line.
+/// A table of two columns, and the line or the marker that shows it in a chart. The table is filled
+/// again for each picture. A row of NaN makes a gap in the line.
 class PlotTable
 {
 public:
@@ -47,8 +47,8 @@ public:
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     this->add(none, none);
   }
-  /// Ends the filling. If the table has no rows, adds a row of NaN, so that the entry in the legend
-  /// remains.
+  /// Ends the filling. If the table has no rows, adds a row of NaN, so that the curve keeps its
+  /// entry in the legend.
   void end()
   {
     if (this->X->GetNumberOfValues() == 0)
@@ -71,7 +71,7 @@ public:
     auto* points = vtkPlotPoints::SafeDownCast(plot);
     points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     points->SetMarkerSize(size);
-    plot->SetLegendVisibility(false); // a marker in the legend would be too large
+    plot->SetLegendVisibility(false); // no entry in the legend, where the marker would be too large
     return plot;
   }
 
@@ -94,8 +94,8 @@ private:
   vtkNew<vtkDoubleArray> Y;
 };
 
-/// A table of three columns, with the area between its second and third column (addBand). It is
-/// filled again for each picture. Without rows nothing is drawn.
+/// A table of three columns, with the area between its second and third column (addBand). The table
+/// is filled again for each picture. If it has no rows, nothing is drawn.
 class BandTable
 {
 public:
@@ -125,8 +125,8 @@ public:
     this->Least->InsertNextValue(least);
     this->Most->InsertNextValue(most);
   }
-  /// Ends the filling. Adds rows of zeros if there are fewer than two rows, because an area needs
-  /// two.
+  /// Ends the filling. If there are fewer than two rows, adds rows of zeros, because an area needs
+  /// two rows.
   void end()
   {
     while (this->X->GetNumberOfValues() < 2)

@@ -28,8 +28,8 @@ double sampleOf(const ResponseArrays& arrays, std::size_t point, std::size_t sam
   return sum;
 }
 
-/// Returns the index of the first sample at or beyond this deflection, otherwise of the last
-/// sample. Sample i has the deflection range (i/n)^2.
+/// Returns the index of the first sample at or beyond this deflection, or of the last sample if
+/// there is none. Sample i has the deflection range (i/n)^2.
 std::size_t sampleAt(double deflection, double range, int samples)
 {
   const double place = std::ceil(samples * std::sqrt(deflection / range) - 1e-6) - 1.0;

@@ -12,13 +12,14 @@
 namespace palpate
 {
 /**
- * Stores the last seconds of a signal in a bounded number of points, whatever the rate of the
- * signal. Each of `bins` equal intervals of time keeps its smallest and its largest value with
- * their times, so no peak is lost. A signal with at most one value per interval is stored
- * unchanged.
+ * Stores the last seconds of a signal in a bounded number of points, regardless of the rate of the
+ * signal. Time is divided into `bins` equal intervals. Each interval keeps its smallest and its
+ * largest value with their times, so that no peak is lost. A signal with at most one value per
+ * interval is stored unchanged.
  *
  * A pause counts as a gap if it is longer than GapShare of the stored time and longer than three
- * times the interval before it. Values that are not finite are left out. Times must not decrease.
+ * times the preceding interval between values. Values that are not finite are left out. Times must
+ * not decrease.
  */
 class SignalEnvelope
 {
@@ -54,7 +55,7 @@ public:
 
   void clear() { *this = SignalEnvelope(this->Seconds, this->Bins.size() - 1); }
   double seconds() const { return this->Seconds; }
-  /// Time of the newest value, s; -inf if there is none.
+  /// Time of the newest value, s. -inf if there is no value.
   double newest() const { return this->Newest; }
 
   /// Calls point(time, value) for the values of the last seconds before `now`, oldest first. Calls

@@ -19,7 +19,7 @@ constexpr float Widths[3] = { 4.0F, 2.0F, 2.0F };
 constexpr int Classes = TickHistogramChart::ClassesPerDecade *
   (TickHistogramChart::LastDecade - TickHistogramChart::FirstDecade);
 constexpr double EmptyClassDepth =
-  0.3; // fraction of a decade: empty classes are drawn this far below the axis
+  0.3; // fraction of a decade by which empty classes are drawn below the axis
 
 using Counts = std::array<double, Classes>;
 

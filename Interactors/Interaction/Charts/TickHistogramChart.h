@@ -10,12 +10,13 @@
 namespace palpate
 {
 /// Histograms of the period, wake-up latency and duration of ticks. Both axes are logarithmic.
-/// There are ClassesPerDecade classes per decade, from 0.1 us.
+/// There are ClassesPerDecade classes per decade, beginning at 0.1 us.
 class TickHistogramChart : public LiveChart
 {
 public:
   static constexpr int ClassesPerDecade = 10;
-  static constexpr int FirstDecade = -1; ///< exponent of the first decade, in microseconds
+  /// Exponent of the first decade; durations are in microseconds.
+  static constexpr int FirstDecade = -1;
   static constexpr int LastDecade = 6;
 
   TickHistogramChart();
@@ -27,7 +28,7 @@ public:
 private:
   void fitAxes(int decades, double largestCount);
 
-  std::array<PlotTable, 3> Stairs; ///< period, wake-up, tick
+  std::array<PlotTable, 3> Stairs; ///< curves of period, wake-up latency and duration
   int DecadesAcross = 0;
   int DecadesUp = 0;
 };

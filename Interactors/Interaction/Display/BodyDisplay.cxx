@@ -71,7 +71,7 @@ struct BodyDisplay::Dent
   double circleRadius = 0.0;
   double circleDepth = 0.0;
   double edge = 1.0; ///< mean edge length of the triangle in contact, mm
-  /// Tool of the last field; kept because the field refers to it.
+  /// Tool of the last field. It is kept because the field refers to it.
   vtkSmartPointer<vtkContactTool> tool;
   std::shared_ptr<const LayerKernel> kernel;
   std::unique_ptr<BodyField> byPoints = std::make_unique<BodyField>();
@@ -106,7 +106,7 @@ void BodyDisplay::setBody(vtkPolyData* body)
   this->Body = body;
   for (Dent& dent : this->Dents)
   {
-    dent.contact.cell = -1; // no contact, because the old contact was with the old body
+    dent.contact.cell = -1; // no contact, because the old contact was on the old body
   }
   this->BodyTime = 0;
   this->refresh();
@@ -127,7 +127,7 @@ void BodyDisplay::setPoissonRatio(double ratio)
 void BodyDisplay::setResponseName(const std::string& name)
 {
   this->ResponseName = name;
-  this->BodyTime = 0; // the body is read again, because another response may have other modes
+  this->BodyTime = 0; // the body must be read again, because another response may have other modes
   this->refresh();
 }
 
@@ -338,7 +338,7 @@ void BodyDisplay::showByPoints()
   const bool isNew = this->BodyTime != this->Body->GetMTime();
   if (!this->touches() && !this->IsDented && !isNew)
   {
-    return; // not drawn again: there was no dent, and there is none
+    return; // nothing is drawn again, because there was no dent and there is still none
   }
   this->BodyTime = this->Body->GetMTime();
   this->HasField = this->Body->GetNumberOfPoints() > 0;

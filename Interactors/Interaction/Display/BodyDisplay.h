@@ -24,22 +24,22 @@ namespace palpate
 class DentMapper;
 
 /**
- * Draws the body with the dents of its contacts. The dents add up. The colour shows the length of
- * the displacement.
+ * Draws the body with the dents of its contacts. The displacements of several contacts are added.
+ * The colour shows the length of the displacement.
  *
  * With the shader (default) the cost of a frame does not depend on the size of the mesh. Without
- * it, the displacement of each point is computed in each frame (BodyField). Both draw the field of
- * ContactField; for the limits of the shader see DeflectionShader. Pickers that draw
- * (vtkHardwareSelector) always find the displaced surface. Pickers that intersect the data of the
- * actor (vtkCellPicker) find the displaced surface only without the shader, otherwise the
- * undeformed body.
+ * the shader, the displacement of each point is computed in each frame (BodyField). Both methods
+ * draw the field of ContactField; DeflectionShader documents the limits of the shader. Pickers that
+ * draw (vtkHardwareSelector) always find the displaced surface. Pickers that intersect the data of
+ * the actor (vtkCellPicker) find the displaced surface only without the shader; with the shader
+ * they find the undeformed body.
  *
  * Setters take effect in the next frame. show() detects a changed body.
  */
 class BodyDisplay
 {
 public:
-  /// `colors`: colours and range of the displacement, mm.
+  /// `colors` contains the colours and the range of the displacement, mm.
   explicit BodyDisplay(vtkLookupTable* colors);
   ~BodyDisplay();
   BodyDisplay(const BodyDisplay&) = delete;
@@ -48,10 +48,11 @@ public:
   void setBody(vtkPolyData* body);
   void setTool(vtkContactTool* tool);
   void setPoissonRatio(double ratio);
-  /// Prefix of the response in use. Default "Response".
+  /// Sets the prefix of the array names of the response. Default "Response".
   void setResponseName(const std::string& name);
   /// Sets the distance from the contact at which the field ends, mm. The field fades over the last
-  /// quarter of the distance. 0 (default): DeflectionShader::FieldRadii contact radii.
+  /// quarter of the distance. With 0, the default, the field ends at DeflectionShader::FieldRadii
+  /// contact radii.
   void setFieldRadius(double radius);
   /// Sets the factor by which the dent is drawn deeper than computed.
   void setExaggeration(double factor);
@@ -62,12 +63,12 @@ public:
   void show(const ShownContact& contact) { this->show(std::vector<ShownContact>{ contact }); }
   void show(const std::vector<ShownContact>& contacts);
 
-  /// Radius of the contact circle, mm, and its depth below the contact point, mm. 0 without
-  /// contact.
+  /// Radius of the contact circle, mm, and depth of the circle below the contact point, mm. Both
+  /// are 0 without contact.
   double contactRadius(std::size_t contact = 0) const;
   double circleDepth(std::size_t contact = 0) const;
 
-  /// Bounds of the body as drawn, mm.
+  /// Bounds of the drawn body, mm.
   void bounds(double bounds[6]);
   vtkActor* actor() { return this->Actor; }
 
@@ -89,17 +90,17 @@ private:
   void complain(const std::string& fault);
 
   vtkSmartPointer<vtkActor> Actor;
-  std::vector<Dent> Dents; ///< one per contact, at least one
+  std::vector<Dent> Dents; ///< one element per contact, at least one
   double FieldRadius = 0.0;
   bool ByShader = true;
 
   vtkSmartPointer<vtkPolyData> Body;
-  vtkMTimeType BodyTime = 0; ///< modification time of the body in the shader
-  /// Modification times of the surface and the modes in the mapper.
+  vtkMTimeType BodyTime = 0; ///< modification time of the body that the shader shows
+  /// Modification times of the surface and of the modes that the mapper shows.
   std::vector<vtkMTimeType> DrawnTimes;
   vtkSmartPointer<vtkContactTool> Tool;
   std::string Fault;       ///< the last reported fault
-  bool HasField = true;    ///< whether a field can be drawn on the body
+  bool HasField = true;    ///< whether a displacement field can be drawn on the body
   double ModeLength = 0.0; ///< length of the longest vector of any mode
   vtkSmartPointer<DentMapper> Mapper;
   DeflectionShader Shader;

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Closest = 1e-6; // mm: points at a smaller distance are merged
+constexpr double Closest = 1e-6; // mm; points at a smaller distance are merged
 }
 
 DashedLine::DashedLine(double dash, double gap)

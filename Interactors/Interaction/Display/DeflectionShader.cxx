@@ -29,11 +29,10 @@ namespace
 constexpr const char* Declarations = "//VTK::PositionVC::Dec";
 constexpr const char* Beginning = "//VTK::CustomBegin::Impl";
 
-// Functions of the shader for the contact with index h.
-// palpateRange: contact radius, q at the kink, q at the reach, reach (q: see DeflectionTable).
-// palpateDraw: exaggeration, number of intervals of the table, start of the fade as a cosine and as
-// a distance.
-// The functions have no branches, because software renderers compute both sides of a branch.
+// Functions of the shader for the contact with index h. palpateRange: contact radius, q at the
+// kink, q at the reach, reach; DeflectionTable defines q. palpateDraw: exaggeration, number of
+// intervals of the table, start of the fade as the cosine of an angle and as a distance. The
+// functions have no branches, because software renderers compute both sides of a branch.
 constexpr const char* Functions = R"(
 in vec3 palpateSurface;
 
@@ -149,12 +148,14 @@ vec3 palpateDents(vec3 x, inout vec3 n)
 }
 )";
 
-/// Uniforms with one value per contact. The number of contacts changes only their size.
+/// Uniforms with one value per contact. Only the size of these uniforms depends on the number of
+/// contacts.
 constexpr std::array<const char*, 9> PerContact = { "palpateNear", "palpateBend", "palpateTwist",
   "palpateStep", "palpateContact", "palpateNormal", "palpateRange", "palpateDraw", "palpateTable" };
 
 /// The vertex is displaced first, so that all later code of VTK uses the displaced vertex. VTK's
-/// variable for the texture coordinate of colours is called tcoord, and since VTK 9.3 colorTCoord.
+/// variable for the texture coordinate of colours was called tcoord before VTK 9.3 and is called
+/// colorTCoord since then.
 std::string displacement(int modes)
 {
   return std::string(R"(
@@ -180,7 +181,7 @@ struct Uniforms
   std::vector<Four> near, bend, twist, range, draw, table;
   std::vector<Three> contact, normal;
   std::vector<float> step;
-  std::array<float, 8> weights{}; // MostModes values, rounded up to whole vectors
+  std::array<float, 8> weights{}; // MostModes values, rounded up to a multiple of four
 
   void add(const DrawnDent& dent, double exaggeration);
   void give(vtkUniforms* uniforms) const;

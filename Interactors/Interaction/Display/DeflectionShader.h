@@ -25,8 +25,8 @@ struct DrawnDent
 /**
  * Evaluates ContactFields in the vertex shader of an actor. The shader moves the vertices, rotates
  * their normals, and sets the texture coordinate of each vertex from the length of its
- * displacement. The data are passed only as uniforms, so the processor time of a frame does not
- * depend on the mesh. Fields of several contacts add up.
+ * displacement. The data are passed only as uniforms, so that the processor time of a frame does
+ * not depend on the mesh. The fields of several contacts are added.
  *
  * The mapper must provide:
  * - the point array SurfaceNormals (angle-weighted normals) as the vertex attribute
@@ -52,8 +52,8 @@ public:
   /// it is 4 % of the deflection, and fades beyond that distance.
   static constexpr double FieldRadii = 20.0;
 
-  /// Distance at which a field ends, mm: the reach of the field, or FieldRadii contact radii if the
-  /// reach of the field is not limited.
+  /// Distance at which a field ends, mm. It is the reach of the field, or FieldRadii contact radii
+  /// if the reach is not limited.
   static double reachOf(const ContactField& field);
 
   explicit DeflectionShader(vtkActor* actor);
@@ -63,8 +63,8 @@ public:
   {
     int modes = 0; ///< number of global modes of the body
     bool hasNearField = false;
-    /// Number of contacts; each needs 600 floats of uniforms: OpenGL 3.2 guarantees space for one
-    /// contact, graphics cards have space for six.
+    /// Number of contacts. Each contact needs 600 floats of uniforms. OpenGL 3.2 guarantees space
+    /// for one contact; graphics cards have space for six.
     int contacts = 1;
 
     bool operator==(const Code& other) const
@@ -81,7 +81,7 @@ public:
   /// the displacement, but not the length that determines the colour.
   void show(const std::vector<DrawnDent>& dents, double exaggeration);
 
-  /// Sets the mapping from a length u (mm) to the texture coordinates (start + perLength u, row).
+  /// Sets the conversion of a length u (mm) to the texture coordinates (start + perLength u, row).
   static void setColors(vtkShaderProperty* property, float start, float perLength, float row);
 
 private:
@@ -93,8 +93,8 @@ private:
 /**
  * Draws a body whose vertices are moved by a DeflectionShader. It updates the colours of the shader
  * when the lookup table changes, and includes the displaced vertices in the bounds. Points are
- * neither shifted nor scaled. Coordinates are floats, so the distance of the body from the origin
- * must be at most a few thousand times the size of the body.
+ * neither shifted nor scaled. Coordinates are floats. Therefore the distance of the body from the
+ * origin must be at most a few thousand times the size of the body.
  */
 class DentMapper : public vtkOpenGLPolyDataMapper
 {
@@ -118,7 +118,7 @@ private:
   void updateColors();
 
   double Deepest[3] = { 0.0, 0.0, 0.0 };
-  double BoundsMargin = -1.0; ///< mm; negative: no dent
+  double BoundsMargin = -1.0; ///< mm; negative if there is no dent
   vtkMTimeType ColorsTime = 0;
   float Coordinates[3] = { 0.0F, 0.0F, 0.0F }; ///< arguments of DeflectionShader::setColors
 };

@@ -15,7 +15,7 @@ constexpr double HalfParameter = 0.5; // q at the end of the first segment for a
 constexpr double LongestReach = 1e3;  // largest reach of a table, in contact radii
 constexpr int Last = DeflectionTable::Intervals;
 
-/// Returns q of a distance r. `sine` is r/a within the contact and a/r outside.
+/// Returns q at the distance r. `sine` is r/a within the contact and a/r outside.
 double parameterOf(double sine)
 {
   return sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - sine * sine)));
@@ -57,7 +57,7 @@ DeflectionTable::DeflectionTable(const ContactField& field, double reach, double
   }
 }
 
-/// Returns r at a node, mm.
+/// Returns the distance r of a node, mm.
 double DeflectionTable::distanceOf(int node) const
 {
   const double a = static_cast<double>(this->radius);
@@ -75,7 +75,7 @@ double DeflectionTable::distanceOf(int node) const
   }
 }
 
-/// Returns u_r and u_z, interpolated as in the shader.
+/// Returns u_r and u_z at the distance r, interpolated as in the shader.
 std::array<double, 2> DeflectionTable::at(double r) const
 {
   const double a = static_cast<double>(this->radius);

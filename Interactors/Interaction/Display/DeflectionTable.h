@@ -13,29 +13,29 @@ class ContactField;
  * slopes, for linear interpolation. The values do not include the fade of the field.
  *
  * The parameter is q = r/(a + √(a²-r²)) within the contact and q = a/(r + √(r²-a²)) outside. These
- * are the half-angle forms of r = a sin φ and r = a/sin φ. As functions of q, u_r and u_z are
- * smooth on both sides of the kink and of r = a, where their tangents are vertical as functions of
- * r. There are three segments: the tip, up to the kink of the tool (q = 1/2 if the tool has no
+ * are the half-angle forms of r = a sin φ and r = a/sin φ. As functions of r, u_r and u_z have
+ * vertical tangents at r = a; as functions of q they are smooth on both sides of the kink and of r
+ * = a. There are three segments: the tip, up to the kink of the tool (q = 1/2 if the tool has no
  * kink); the rest of the contact; and the outside, from the reach (q = far) to a (q = 1).
  *
  * The slopes du/dr are differences over two edge lengths of the mesh, as are the normals of a
- * displaced mesh. So a step at the rim of a flat punch does not flicker.
+ * displaced mesh. Therefore a step at the rim of a flat punch does not flicker.
  *
- * Accuracy: 1e-3 of the deflection; 1e-4 for a half-space under a tool without edges.
+ * The error is 1e-3 of the deflection, and 1e-4 for a half-space under a tool without edges.
  */
 struct DeflectionTable
 {
   static constexpr int Intervals = 48;
   static constexpr int Segments = 3;
   static constexpr int Nodes = Segments * (Intervals + 1);
-  using Node = std::array<float, 4>; ///< u_r and u_z, mm, then the slope of each
+  using Node = std::array<float, 4>; ///< u_r and u_z, mm, followed by the derivative of each
 
   /// Samples the field. All values are zero if the field is empty. `reach` and `edge` (edge length
   /// of the mesh) are in mm.
   DeflectionTable(const ContactField& field, double reach, double edge);
 
-  float radius = 0.0F; ///< a, mm
-  float kink = 0.5F;   ///< q at the end of the first segment
+  float radius = 0.0F; ///< contact radius a, mm
+  float kink = 0.5F;   ///< q at the end of the first segment, the kink of the tool
   float far = 0.0F;    ///< q at the reach of the field
   std::array<Node, Nodes> nodes{};
 

@@ -52,7 +52,7 @@ int attributeCount(int modes)
   return (modes * FloatsPerMode + FloatsPerAttribute - 1) / FloatsPerAttribute;
 }
 
-/// Returns the GLSL expression for the float with index `place` of a vertex.
+/// Returns the GLSL expression for the float with index `place` in the data of a vertex.
 std::string component(int place)
 {
   return attribute(place / FloatsPerAttribute) + "[" + std::to_string(place % FloatsPerAttribute) +
@@ -72,8 +72,8 @@ Vector3 valueAt(vtkDataArray* mode, std::int32_t point)
   return value;
 }
 
-/// Returns -(∇φ)ᵀ n at a point, as the area-weighted mean over the triangles around the point. φ is
-/// linear in each triangle.
+/// Returns the change of the normal -(∇φ)ᵀ n at a point, as the area-weighted mean over the
+/// triangles around the point. The mode φ is linear in each triangle.
 Vector3 turnAt(const BodyMesh& mesh, vtkDataArray* mode, std::int32_t point)
 {
   const Vector3 normal = mesh.pointNormal(point);

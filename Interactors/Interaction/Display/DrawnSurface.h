@@ -22,17 +22,17 @@ namespace palpate::DrawnSurface
 constexpr const char* Displacement = "ContactDisplacement";
 constexpr const char* Normals = "SurfaceNormals";
 
-/// Sets the surface of a body as input of a mapper. The body must have passed checkTriangles.
+/// Sets the surface of a body as the input of a mapper. The body must have passed checkTriangles.
 void give(vtkPolyData* body, const std::vector<vtkDataArray*>& modes, vtkPolyDataMapper* mapper);
 
-/// Returns the modification times of the surface and of the modes. Modification times are unique,
-/// so equal times mean equal data.
+/// Returns the modification times of the surface and of the modes. Modification times are unique.
+/// Therefore equal times mean equal data.
 std::vector<vtkMTimeType> timesOf(vtkPolyData* body, const std::vector<vtkDataArray*>& modes);
 
 /// Mean length of the edges of a triangle, mm.
 double edgeOf(const std::array<Vector3, 3>& corners);
 
-/// Length of the longest vector in any mode.
+/// Length of the longest vector of all modes.
 double longestOf(const std::vector<vtkDataArray*>& modes);
 } // namespace palpate::DrawnSurface
 
@@ -44,9 +44,9 @@ constexpr std::size_t MostModes = 6; ///< limited by the number of vertex attrib
 
 /**
  * Passes the global modes of a body as vertex attributes. The data of a mode are its displacement φ
- * and the change of the normal, d = -(∇φ)ᵀ n: six floats. They are packed four per attribute,
- * because shaders have few attributes. If the surface moves by w φ, its normal changes from n to n
- * + w d, for small w.
+ * and the change of the normal, d = -(∇φ)ᵀ n: six floats. Each attribute contains four of these
+ * floats, because shaders have few attributes. If the surface moves by w φ with a small weight w,
+ * its normal changes from n to n + w d.
  *
  * Adds the packed arrays to `drawn`, which must have the points of `mesh`, and maps them. Modes
  * after the first MostModes are left out.
@@ -56,9 +56,9 @@ void addModeAttributes(const BodyMesh& mesh, const std::vector<vtkDataArray*>& m
 
 /// Returns GLSL that declares the attributes of the modes.
 std::string modeDeclarations(int modes);
-/// Returns GLSL that adds two sums: to `displacement` the modes times their weights, and to
-/// `normal` the changes of the normal times the weights and `exaggeration`. `weights` is the name
-/// of the array of weights.
+/// Returns GLSL that adds the modes times their weights to `displacement`. It also adds the changes
+/// of the normal, times the weights and `exaggeration`, to `normal`. All parameters but `modes` are
+/// GLSL expressions; `weights` is the name of the array of weights.
 std::string modeSum(int modes, const std::string& weights, const std::string& displacement,
   const std::string& normal, const std::string& exaggeration);
 } // namespace palpate

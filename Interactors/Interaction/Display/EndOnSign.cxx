@@ -22,12 +22,14 @@ namespace palpate
 namespace
 {
 constexpr int SignCorners = 48;
-constexpr float SignWidth = 3.0F;        // pixels
-constexpr double SmallestDot = 3.0;      // pixels
-constexpr double DotShare = 0.12;        // fraction of the ring's radius
-constexpr double LargestRingShare = 0.3; // fraction of the picture's smaller side
+constexpr float SignWidth = 3.0F;   // line width of the sign, pixels
+constexpr double SmallestDot = 3.0; // smallest radius of the dot, pixels
+constexpr double DotShare = 0.12;   // radius of the dot, as a fraction of the ring's radius
+// Largest radius of the ring, as a fraction of the picture's smaller side.
+constexpr double LargestRingShare = 0.3;
 
-/// Adds the corners of a circle around the origin, pixels. Returns the id of the first corner.
+/// Adds the corners of a circle around the origin with the given radius (pixels). Returns the id of
+/// the first corner.
 vtkIdType addCircle(vtkPoints* points, double radius)
 {
   const vtkIdType first = points->GetNumberOfPoints();

@@ -14,13 +14,14 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// The sign of an arrow that is seen end-on. An arrow towards the viewer is marked by a ring with a
-/// dot, an arrow away from the viewer by a ring with a cross. The diameter of the ring is the
+/// The sign for an arrow that is seen end-on. An arrow towards the viewer is marked by a ring with
+/// a dot, an arrow away from the viewer by a ring with a cross. The diameter of the ring is the
 /// length of the arrow as seen from the side, but at least twice SmallestRadius.
 class EndOnSign
 {
 public:
-  /// An arrow is seen end-on if its angle to the line of sight is below this value, degrees.
+  /// Largest angle between the arrow and the line of sight, degrees, at which the arrow counts as
+  /// seen end-on.
   static constexpr double LargestAngle = 20.0;
   static constexpr double SmallestRadius = 8.0; ///< pixels
 
@@ -29,12 +30,12 @@ public:
   EndOnSign(const EndOnSign&) = delete;
   EndOnSign& operator=(const EndOnSign&) = delete;
 
-  /// Draws the sign at the head of the arrow, if the camera of the renderer sees the arrow end-on.
+  /// Draws the sign at the head of the arrow if the renderer's camera sees the arrow end-on.
   void show(vtkRenderer* renderer, const Eigen::Vector3d& tail, const Eigen::Vector3d& head);
   void hide();
   bool isShown() const { return this->Radius > 0.0; }
 
-  /// Radius of the ring, in mm at the place of the head; 0 if no sign is drawn.
+  /// Radius of the ring, mm at the position of the head. 0 if no sign is drawn.
   double radius() const { return this->Radius; }
   vtkActor2D* actor() { return this->Actor; }
 

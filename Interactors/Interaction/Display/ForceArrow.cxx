@@ -29,17 +29,17 @@ namespace palpate
 {
 namespace
 {
-constexpr double Dash = 3.2;        // mm
-constexpr double Gap = 1.8;         // mm
-constexpr double LargestHead = 0.4; // fraction of the arrow
+constexpr double Dash = 3.2;        // length of a dash, mm
+constexpr double Gap = 1.8;         // length of a gap, mm
+constexpr double LargestHead = 0.4; // largest length of the head, as a fraction of the arrow
 constexpr int Sides = 32;
 
 constexpr double ArcTubeRadius = 0.55; // mm
 constexpr double ArcHeadRadius = 1.6;  // mm
 constexpr double ArcHeadLength = 3.6;  // mm
-constexpr double ArcMostTurn = 5.2;    // rad
+constexpr double ArcMostTurn = 5.2;    // largest angle of the arc, rad
 constexpr double ArcStart = 0.15;      // rad, gap between the start of the arc and the surface
-constexpr double ArcLeastTurn = 0.15;  // rad; for a smaller arc only the head is drawn
+constexpr double ArcLeastTurn = 0.15;  // rad; for a smaller angle only the head is drawn
 constexpr int ArcSides = 24;
 constexpr int ArcPieces = 48;
 constexpr int ArcLabelSize = 18; // points
@@ -69,7 +69,7 @@ ForceArrow::ForceArrow(const ArrowLook& look)
   text->SetColor(this->Look.color.data());
   text->SetFontSize(look.labelSize);
   text->SetBold(look.bold ? 1 : 0);
-  // Makes the text readable in front of the tool and other arrows.
+  // The background makes the text readable in front of the tool and other arrows.
   text->SetBackgroundColor(BackgroundColor.data());
   text->SetBackgroundOpacity(look.labelOpacity);
   this->Label->GetPositionCoordinate()->SetCoordinateSystemToWorld();

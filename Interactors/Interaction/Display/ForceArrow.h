@@ -22,7 +22,7 @@ class vtkTubeFilter;
 namespace palpate
 {
 /// Style of an arrow: radius of the shaft, radius and length of the head, mm. The head is at most
-/// 40 % of the arrow, so head and shaft of a very short arrow are thinner.
+/// 40 % of the arrow's length; head and shaft of a very short arrow are thinner.
 struct ArrowLook
 {
   Color color;
@@ -43,7 +43,7 @@ public:
   ForceArrow(const ForceArrow&) = delete;
   ForceArrow& operator=(const ForceArrow&) = delete;
 
-  /// Draws the arrow from `origin` (mm) with `scale` mm per N. The label is `name` and the
+  /// Draws the arrow from `origin` (mm) with `scale` mm per N. The label consists of `name` and the
   /// magnitude. Draws nothing if the force is zero or not finite.
   void show(const Eigen::Vector3d& origin, const Eigen::Vector3d& force, double scale, bool dashed,
     const std::string& name = "");
@@ -71,8 +71,8 @@ private:
   vtkSmartPointer<vtkTextActor> Label;
 };
 
-/// A torque, drawn as an arc around its point in the direction of rotation, with its value in N mm
-/// at the head.
+/// A torque, drawn as an arc around its point of reference in the direction of rotation. Its value
+/// in N mm is shown at the head of the arc.
 class TorqueArc
 {
 public:
@@ -83,9 +83,10 @@ public:
   TorqueArc(const TorqueArc&) = delete;
   TorqueArc& operator=(const TorqueArc&) = delete;
 
-  /// Draws the arc around `center` (mm), beginning on the side of `from`. The length of the arc is
-  /// that of an arrow (`scale` mm per N) for a force that has the same torque at the radius of the
-  /// arc. The arc is at most 5.2 rad long. Draws nothing if the torque is zero or not finite.
+  /// Draws the arc around `center` (mm). The arc begins in the direction `from`. Its length is that
+  /// of an arrow (`scale` mm per N) for the force that causes the same torque with the radius of
+  /// the arc as lever arm. The arc is at most 5.2 rad long. Draws nothing if the torque is zero or
+  /// not finite.
   void show(const Eigen::Vector3d& center, const Eigen::Vector3d& torque,
     const Eigen::Vector3d& from, double scale);
   void hide();

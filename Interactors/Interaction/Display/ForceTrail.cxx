@@ -20,9 +20,9 @@ namespace
 constexpr double TrailRadius = 0.5;       // mm
 constexpr double TrailDash = 1.5;         // mm
 constexpr double TrailGap = 1.5;          // mm
-constexpr double SmallestDistance = 0.05; // mm, between two contacts
-// Distance of contacts between two pictures, mm. On a body with a radius of 5 mm the line is then
-// at most 0.03 mm below the surface.
+constexpr double SmallestDistance = 0.05; // smallest distance between two contacts, mm
+// Distance between the contacts that are added between two pictures, mm. On a body with a radius of
+// 5 mm the line is then at most 0.03 mm below the surface.
 constexpr double PassedDistance = 1.0;
 } // namespace
 
@@ -107,7 +107,8 @@ void ForceTrail::add(const ShownContact& contact, bool isPicture)
   if (this->IsNear)
   {
     this->Pictures -= this->Contacts.back().isPicture ? 1 : 0;
-    this->Contacts.pop_back(); // distances are measured from the contact before the removed one
+    // Distances are measured from the contact that precedes the removed one.
+    this->Contacts.pop_back();
   }
   this->IsNear = !place.begins && !this->Contacts.empty() &&
     (place.point - this->Contacts.back().point).norm() < SmallestDistance;

@@ -23,14 +23,18 @@ namespace palpate
 {
 namespace
 {
-constexpr double Spacing = 2.0;       // pixels, between texts, and between a text and an obstacle
-constexpr double HeadDistance = 10.0; // pixels, smallest distance from the head
-constexpr double DistanceStep = 6.0;  // pixels, between successive rings of places around the head
-constexpr int Directions = 16;        // number of places in a ring
-constexpr double SteadyDistance = 40.0; // pixels by which another place must be nearer
-constexpr double WrongSide = 20.0;      // pixels, cost of the side away from the arrow
-constexpr double SideLess = 4.0;        // pixels; a shorter arrow has no preferred side
-constexpr double CoveredObstacle = 1e5; // pixels, cost of a covered obstacle; exceeds any distance
+// Smallest distance between texts, and between a text and an obstacle, pixels.
+constexpr double Spacing = 2.0;
+constexpr double HeadDistance = 10.0; // smallest distance of a text from the head, pixels
+// Distance between successive rings of candidate positions around the head, pixels.
+constexpr double DistanceStep = 6.0;
+constexpr int Directions = 16; // number of candidate positions in a ring
+// Pixels by which another position must be nearer to the head.
+constexpr double SteadyDistance = 40.0;
+constexpr double WrongSide = 20.0; // pixels, cost of a position on the side away from the arrow
+constexpr double SideLess = 4.0;   // pixels; for a shorter arrow no side is preferred
+// Pixels, cost of a covered obstacle; larger than any distance.
+constexpr double CoveredObstacle = 1e5;
 constexpr double NoPlace = std::numeric_limits<double>::infinity();
 
 /// The box of a text, in pixels of the window.
@@ -56,14 +60,14 @@ struct Box
   }
 };
 
-/// A line with a half width `radius`, in pixels of the window.
+/// A line of half width `radius`, in pixels of the window.
 struct Bar
 {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
   double radius;
 
-  /// Whether the line with its half width crosses the box.
+  /// Whether the line, including its half width, intersects the box.
   bool covers(const Box& box) const
   {
     const Eigen::Vector2d low = box.low.array() - this->radius - Spacing;
@@ -101,8 +105,8 @@ Eigen::Vector3d toWorld(vtkRenderer* renderer, const Eigen::Vector3d& display)
   return world.head<3>() / world.w();
 }
 
-/// Returns the boxes of the visible texts and legends among the props of a renderer. The texts of
-/// arrows are not among them, because they are parts of an assembly.
+/// Returns the boxes of the visible texts and legends among the props of a renderer. The labels of
+/// arrows are not included, because they are parts of an assembly.
 std::vector<Box> captionsOf(vtkRenderer* renderer)
 {
   std::vector<Box> boxes;
@@ -135,7 +139,7 @@ std::vector<Box> captionsOf(vtkRenderer* renderer)
   return boxes;
 }
 
-/// Finds the place of one text.
+/// Searches the position of one text.
 class PlaceSearch
 {
 public:
@@ -149,12 +153,13 @@ public:
     , Head(head)
     , Size(size)
     , Side(leftwards ? -1.0 : 1.0)
-    // The first place is on the side to which the arrow points, level with the head.
+    // The first candidate is on the side to which the arrow points, at the height of the head.
     , Best{ head + Eigen::Vector2d(leftwards ? -HeadDistance - size.x() : HeadDistance, 0.0), size }
   {
   }
 
-  /// Returns the best box. `last`: the place in the last picture, if that place is preferred.
+  /// Returns the best box. `last` is the position in the last picture, if that position is to be
+  /// preferred.
   Box find(const std::optional<Eigen::Vector2d>& last)
   {
     this->consider(Box(this->Best), 0.0);
@@ -176,8 +181,8 @@ public:
   }
 
 private:
-  /// Tries the box whose centre is in the direction `angle` from the head. The box is `away` pixels
-  /// from the head.
+  /// Evaluates the box whose centre is in the direction `angle` from the head, at a distance of
+  /// `away` pixels between head and box.
   void considerAround(double angle, double away)
   {
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
@@ -213,7 +218,8 @@ private:
   Eigen::Vector2d Head;
   Eigen::Vector2d Size;
   double Side;
-  /// Initially the first place, which is used if no place in the window is free of earlier texts.
+  /// Initially the first candidate. It is used if every position in the window would cover an
+  /// earlier text.
   Box Best;
   double LeastCost = NoPlace;
 };

@@ -11,8 +11,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// Place of a label in the last picture: its lower left corner relative to the head of its arrow,
-/// pixels.
+/// Position of a label in the last picture: its lower left corner relative to the head of its
+/// arrow, pixels.
 struct LabelPlace
 {
   bool isKnown = false;
@@ -28,7 +28,8 @@ struct AnchoredLabel
   LabelPlace* place;
 };
 
-/// A part of the scene that labels must not cover: all points within `radius` (mm) of a line.
+/// A part of the scene that labels must not cover. It consists of all points within `radius` (mm)
+/// of a line segment.
 struct LabelObstacle
 {
   Eigen::Vector3d from;
@@ -38,11 +39,12 @@ struct LabelObstacle
 
 /// Places each text near the head of its arrow, on the side to which the arrow points. A text stays
 /// inside the viewport. It must not cover an earlier text, an obstacle, or a caption or legend
-/// among the props of the renderer. So it is placed at the nearest free place around the head. If
-/// there is no free place, the text covers as few of these as possible, but no earlier text.
+/// among the props of the renderer. Therefore the text is placed at the nearest free position
+/// around the head. If there is no free position, the text covers no earlier text, and as few
+/// obstacles, captions and legends as possible.
 ///
-/// With `steady`, a text stays at its place relative to its head. It moves only if another place is
-/// nearer by at least SteadyDistance pixels, or if its place is no longer free.
+/// With `steady`, a text keeps its position relative to its head. It moves only if another position
+/// is nearer by at least SteadyDistance pixels, or if its position is no longer free.
 void arrangeLabels(vtkRenderer* renderer, const std::vector<AnchoredLabel>& labels,
   const std::vector<LabelObstacle>& obstacles, bool steady);
 } // namespace palpate

@@ -11,9 +11,9 @@
 namespace palpate
 {
 /// Returns a text about the memory part of a normal force (N): "of 3.20 N 0.900 N are memory (28
-/// %)". While a tool moves out of the body, the fraction is relative to the slow force: "of 3.20 N
-/// memory takes 0.900 N (28 %)". Returns "" if the fraction is below 1 %, for example for a body
-/// that does not relax.
+/// %)". During unloading the memory part is negative, and the text gives its fraction of the slow
+/// force: "of 3.20 N memory takes 0.900 N (28 %)". Returns "" if the fraction is below 1 %, for
+/// example for a body that does not relax.
 inline std::string memoryInWords(double normalForce, double memory)
 {
   constexpr double Least = 0.01;

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Returns a frame at `origin`. Its axis number `axis` (0 = x, 2 = z) points along `direction`,
-/// which must not be zero. The rotation about this axis is arbitrary.
+/// Returns a frame whose origin is at `origin`. The axis with the index `axis` (0 = x, 2 = z)
+/// points along `direction`, which must not be zero. The rotation about this axis is arbitrary.
 inline vtkSmartPointer<vtkMatrix4x4> frameAlong(
   const double origin[3], const double direction[3], int axis)
 {

@@ -6,17 +6,19 @@
 
 namespace palpate
 {
-/// The smallest of 1, 2, 5 times a power of ten that divides `span` into at most `steps` steps.
+/// Returns the smallest step of the form 1, 2 or 5 times a power of ten that divides `span` into at
+/// most `steps` parts.
 inline double roundStep(double span, int steps)
 {
   const double least = span / steps;
   const double decade = std::pow(10.0, std::floor(std::log10(least)));
-  const double share = least / decade * (1.0 - 1e-9); // allows for rounding
+  const double share = least / decade * (1.0 - 1e-9); // the factor allows for rounding
   return decade * (share <= 1.0 ? 1.0 : share <= 2.0 ? 2.0 : share <= 5.0 ? 5.0 : 10.0);
 }
 
-/// The number of labels of a colour bar from 0 to `end` > 0, with steps of 1, 2 or 5 times a power
-/// of ten between them; at most 11. If no such step divides the bar, there are five labels.
+/// Returns the number of labels, at most 11, of a colour bar from 0 to `end` > 0. The step between
+/// the labels is 1, 2 or 5 times a power of ten. If no such step divides the bar evenly, there are
+/// five labels.
 inline int labelsOfBar(double end)
 {
   for (const int most : { 6, 8, 10 })

@@ -8,8 +8,8 @@
 namespace palpate
 {
 /// Decides when the end of a scale changes. Arrows, colours and the axes of charts use this rule. A
-/// scale grows immediately if a drawn value exceeds its end. It shrinks if all drawn values have
-/// been below Share of its end for the time Seconds.
+/// scale grows immediately if a drawn value exceeds its end. It shrinks if for the time Seconds all
+/// drawn values have been below the fraction Share of its end.
 class ScaleRule
 {
 public:
@@ -31,7 +31,7 @@ public:
       this->SmallSince = never;
       return false;
     }
-    if (!(this->SmallSince <= time)) // also true if the time has restarted
+    if (!(this->SmallSince <= time)) // also true if the time has decreased
     {
       this->SmallSince = time;
     }
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  /// Time since which values have been small, s; NaN: not small.
+  /// Time since which the values have been small, s. NaN if they are not small.
   double SmallSince = std::numeric_limits<double>::quiet_NaN();
 };
 } // namespace palpate

@@ -20,14 +20,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double Left = 16.0;        // pixels
-constexpr double Bottom = 14.0;      // pixels
-constexpr double LetterWidth = 0.52; // fraction of the font's size, on average
-constexpr double LineSpacing = 1.2;  // multiple of the font's height
+constexpr double Left = 16.0;        // left margin, pixels
+constexpr double Bottom = 14.0;      // bottom margin, pixels
+constexpr double LetterWidth = 0.52; // average width of a letter, as a fraction of the font size
+constexpr double LineSpacing = 1.2;  // distance between lines, as a multiple of the font height
 constexpr int FontSize = 17;
 constexpr double BackgroundOpacity = 0.75;
 constexpr int SmallFontSize = 14;
-constexpr double NarrowWidth = 400.0; // pixels
+constexpr double NarrowWidth = 400.0; // width below which a picture counts as narrow, pixels
 
 std::string millimetres(double length)
 {
@@ -57,11 +57,11 @@ std::string newtonMillimetres(double torque)
   return text.data();
 }
 
-/// Returns the error of the force as text. Beyond validity the text has three digits, so that an
-/// error just above the tolerance differs from the tolerance.
+/// Returns the error of the force as text. Beyond validity the text has three digits, so that the
+/// displayed error differs from the tolerance even if it is only slightly larger.
 std::string errorOf(const ShownContact& contact)
 {
-  constexpr double rounded = 0.0995; // errors from 10 % upward have two digits in any case
+  constexpr double rounded = 0.0995; // errors of 10 % and more have at least two digits anyway
   return contact.isValid() || !(contact.error < rounded)
     ? errorInWords(contact.error)
     : " \u00b1 " + shortly(100.0 * contact.error) + " %";
@@ -75,8 +75,8 @@ std::string deflectionOf(const ShownContact& contact)
     (contact.isLowered() ? " (tip " + millimetres(contact.tipDepth()) + " deep)" : "");
 }
 
-/// Breaks a text at blanks into lines of at most `letters` letters, preferably after a comma or a
-/// colon.
+/// Breaks a text at blanks into lines of at most `letters` letters. A blank after a comma or a
+/// colon is preferred.
 std::string wrapped(const std::string& text, std::size_t letters)
 {
   constexpr std::size_t none = std::string::npos;
@@ -118,7 +118,8 @@ SceneCaption::SceneCaption()
   vtkTextProperty* text = this->Actor->GetTextProperty();
   text->SetColor(TextColor.data());
   text->SetLineSpacing(LineSpacing);
-  text->SetBackgroundColor(BackgroundColor.data()); // the body may be behind the text
+  // The background is needed because the body may be behind the text.
+  text->SetBackgroundColor(BackgroundColor.data());
   text->SetBackgroundOpacity(BackgroundOpacity);
   this->Actor->SetPosition(Left, Bottom);
 }

@@ -12,7 +12,8 @@ namespace palpate
 {
 struct ShownContact;
 
-/// The text in the corner of a scene: a title, the contact, a remark. Empty parts are left out.
+/// The text in the corner of a scene. It consists of a title, the description of the contact and a
+/// remark. Empty parts are omitted.
 class SceneCaption
 {
 public:
@@ -23,16 +24,16 @@ public:
 
   void setTitle(const std::string& title) { this->Title = title; }
   void setRemark(const std::string& remark) { this->Remark = remark; }
-  /// A remark on the state of the session, below the contact.
+  /// Sets a text on the state of the session, which is shown below the contact.
   void setState(const std::string& state) { this->State = state; }
-  /// Sets the text of the contact, which the next write() shows.
+  /// Sets the description of the contact, which the next call of write() shows.
   void describe(const ShownContact& contact, const std::string& tool, double contactRadius,
     double exaggeration);
-  /// Adds a line for another hand. Call it after describe().
+  /// Adds a line about another hand. To be called after describe().
   void addHand(int number, const ShownContact& contact);
   void describeNothing() { this->Contact.clear(); }
 
-  /// Writes the text into a strip of the picture with the width `width`, pixels. Long lines are
+  /// Writes the text into a strip of the picture that is `width` pixels wide. Long lines are
   /// broken. In a narrow strip the font is smaller.
   void write(double width);
   /// Height of the text above the lower edge of the picture, pixels.

@@ -34,14 +34,14 @@ namespace palpate
 namespace
 {
 constexpr int LegendSize = 15;
-constexpr double LegendWidth = 175.0; // pixels
-/// Height that is always free below the legends, so that they do not move when the caption grows,
-/// pixels.
+constexpr double LegendWidth = 175.0; // width of the legends, pixels
+/// Height below the legends that always remains free, pixels. Therefore the legends do not move
+/// when the caption grows.
 constexpr double CaptionHeight = 160.0;
 constexpr double LegendBottom = 0.15;
 constexpr double LegendTop = 0.97;
 
-/// Fills the table with colours interpolated between the given ones.
+/// Fills the table with colours that are interpolated between the given colours.
 void fillColors(vtkLookupTable* table, const std::array<Color, 5>& colors)
 {
   constexpr int size = 256;
@@ -89,13 +89,13 @@ void styleLegend(
   }
 }
 
-constexpr double Margin = 24.0;       // pixels, distance to the right edge
-constexpr double Height = 26.0;       // pixels, height of the arrow's axis above the lower edge
-constexpr double HalfShaft = 2.0;     // pixels
-constexpr double HalfHead = 6.5;      // pixels
-constexpr double HeadLength = 14.0;   // pixels; at most half of the arrow
-constexpr double LabelWidth = 60.0;   // pixels, wider than any label
-constexpr double RemarkWidth = 110.0; // pixels
+constexpr double Margin = 24.0;       // distance from the right edge, pixels
+constexpr double Height = 26.0;       // height of the arrow's axis above the lower edge, pixels
+constexpr double HalfShaft = 2.0;     // half width of the shaft, pixels
+constexpr double HalfHead = 6.5;      // half width of the head, pixels
+constexpr double HeadLength = 14.0;   // length of the head, pixels; at most half of the arrow
+constexpr double LabelWidth = 60.0;   // pixels; wider than any label
+constexpr double RemarkWidth = 110.0; // width of the remark, pixels
 constexpr double LargestShare = 1.0 / 3.0;
 } // namespace
 
@@ -136,7 +136,7 @@ void SceneLegends::explainGaps(const std::string& words)
 
 double SceneLegends::share(vtkRenderer* renderer)
 {
-  // The width of the legends in pixels is the same for any width of the viewport.
+  // The width of the legends in pixels does not depend on the width of the viewport.
   const int width = renderer ? std::max(renderer->GetSize()[0], 1) : 1;
   return std::min(1.0, LegendWidth / static_cast<double>(width));
 }

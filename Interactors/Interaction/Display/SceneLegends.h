@@ -33,18 +33,19 @@ public:
   vtkScalarBarActor* displacement() { return this->Displacement; }
   vtkScalarBarActor* force() { return this->Force; }
 
-  /// Sets the end of a scale, with labels at round steps.
+  /// Sets the end of a scale. The labels are at round steps.
   void setLargestDisplacement(double largest);
   void setLargestForce(double largest);
 
-  /// Whether the title of the displacement explains the contact circle.
+  /// Whether the title of the displacement's legend explains the contact circle.
   void explainCircle(bool explains);
-  /// Adds an explanation of gaps to the title of the trail's legend; "": none.
+  /// Adds an explanation of gaps to the title of the trail's legend. If `words` is "", no
+  /// explanation is added.
   void explainGaps(const std::string& words);
 
-  /// Fraction of a viewport's width that the column of legends takes.
+  /// Fraction of a viewport's width that the column of legends occupies.
   static double share(vtkRenderer* renderer);
-  /// Places the legends. `captionHeight`: height of the caption below the legends, pixels.
+  /// Places the legends. `captionHeight` is the height of the caption below the legends, pixels.
   void place(vtkRenderer* renderer, double captionHeight);
 
 private:
@@ -54,8 +55,8 @@ private:
   vtkNew<vtkScalarBarActor> Force;
 };
 
-/// The scale of the force arrows: an arrow for a round number of newtons in the lower right corner
-/// of the picture. Its length is the length that an arrow of this force would have at the contact,
+/// The scale of the force arrows. It is an arrow in the lower right corner of the picture for a
+/// round number of newtons. Its length is that of an arrow for this force at the contact,
 /// perpendicular to the line of sight. After setChanged(true) it also shows the remark that the
 /// scale has changed.
 class ForceScale
@@ -66,8 +67,8 @@ public:
   ForceScale(const ForceScale&) = delete;
   ForceScale& operator=(const ForceScale&) = delete;
 
-  /// Chooses the force of the arrow, a round number: about half of `largestForce` (N). `scale`:
-  /// length of arrows, mm per N.
+  /// Chooses the force of the arrow, a round number near half of `largestForce` (N). `scale` is the
+  /// length of arrows per force, mm/N.
   void choose(double largestForce, double scale);
   /// Adapts the arrow to the camera. If the arrow would be longer than a third of the picture's
   /// width, the next smaller round number is used.

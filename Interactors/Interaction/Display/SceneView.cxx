@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-/// Height of the focus above the point, as a fraction of the distance.
+/// Height of the camera's focus above the point, as a fraction of the distance.
 constexpr double RaisedFocus = 0.09;
 
 void placeCamera(vtkCamera* camera, const Eigen::Vector3d& focus, const Eigen::Vector3d& position,

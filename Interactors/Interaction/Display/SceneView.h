@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// Direction from the focus to the camera, and upward direction in the picture. Neither may be
-/// zero.
+/// The direction from the focus to the camera, and the upward direction in the picture. Neither
+/// vector may be zero.
 struct ViewDirection
 {
   Eigen::Vector3d from;
@@ -21,7 +21,8 @@ struct ViewDirection
 };
 
 /// Moves the camera so that it shows the whole box, centred in the part of the picture to the left
-/// of the legends. `column`: fraction of the picture's width that the column of legends takes.
+/// of the legends. `column` is the fraction of the picture's width that the column of legends
+/// occupies.
 void lookAtBounds(
   vtkRenderer* renderer, const double bounds[6], const ViewDirection& view, double column);
 
@@ -30,7 +31,7 @@ void lookAtBounds(
 void lookAtPoint(vtkRenderer* renderer, const Eigen::Vector3d& point, double distance,
   const ViewDirection& view, double column);
 
-/// Pixels per mm at a point, perpendicular to the line of sight.
+/// Number of pixels per mm at a point, perpendicular to the line of sight.
 double pixelsPerMillimetre(vtkRenderer* renderer, const Eigen::Vector3d& point);
 
 /// Sets background and lights. They are the same for all bodies.

@@ -32,7 +32,7 @@ bool readTip(vtkPolyData* probed, vtkIdType index, ShownContact& contact)
 
 namespace
 {
-/// Returns the cell of a tick's contact; -1 if the tick belongs to an earlier body.
+/// Returns the cell of the contact of a tick, or -1 if the tick belongs to an earlier body.
 vtkIdType cellOf(vtkPolyData* body, const Tick& tick)
 {
   const vtkIdType triangle = tick.contact.triangle;
@@ -54,7 +54,7 @@ ShownContact contactOfTick(vtkHapticSession* session, const Tick& tick)
 ShownContact readSession(vtkHapticSession* session, int hand, const Eigen::Vector3d& freeDirection)
 {
   ShownContact contact;
-  contact.tick = session->GetNewestTick(hand); // a copy, because the servo thread continues
+  contact.tick = session->GetNewestTick(hand); // a copy is used, because the servo thread continues
   const Tick& tick = contact.tick;
   vtkPolyData* body = session->GetBody();
   contact.cell = cellOf(body, tick);

@@ -28,8 +28,8 @@ namespace
 {
 constexpr int Corners = 96;
 constexpr int Dashes = 16;
-// The radius of the line is LineRadius plus LineShare times the radius of the circle. So the line
-// is thin on a small circle, but stays visible.
+// The radius of the line is LineRadius plus LineShare times the radius of the circle. Therefore the
+// line is thin on a small circle but remains visible.
 constexpr double LineRadius = 0.08; // mm
 constexpr double LineShare = 0.05;  // fraction of the circle's radius
 } // namespace
@@ -83,7 +83,8 @@ void ShownHands::setVisibility(bool visible)
 
 void ShownHands::leaveFree(std::vector<LabelObstacle> obstacles)
 {
-  this->tool()->LeaveFree(std::move(obstacles)); // the labels of the others avoid what these avoid
+  this->tool()->LeaveFree(std::move(obstacles)); // the labels of the other hands avoid the same
+                                                 // obstacles as those of the first hand
 }
 
 void ShownHands::setSteadyLabels(bool steady)

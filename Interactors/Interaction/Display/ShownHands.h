@@ -49,7 +49,7 @@ private:
 vtkSmartPointer<vtkActor> makePlaceMarker();
 
 /// Places the marker at the contact point on the surface, not at the tip, because the depth of the
-/// tip would reveal the stiffness of the body.
+/// tip would reveal the stiffness of the body to the participant.
 void placeMarker(const ShownContact& contact, vtkActor* marker);
 
 /// Draws the tools on a body, one per hand, each with its arrows and its contact circle. The first
@@ -66,19 +66,20 @@ public:
   void setRenderer(vtkRenderer* renderer);
   void setTool(vtkContactTool* tool);
   void setVisibility(bool visible);
-  /// Parts of the scene that the labels of all hands leave free.
+  /// Sets the parts of the scene that the labels of all hands must not cover.
   void leaveFree(std::vector<LabelObstacle> obstacles);
   void setSteadyLabels(bool steady);
   void resize(std::size_t count);
   std::size_t count() const { return this->Hands.size(); }
 
   /// Sets the direction of a hand's tool while it has no contact. It may be set before the hand
-  /// exists. Zero (default): the last direction is kept.
+  /// exists. If the direction is zero, the default, the last direction is kept.
   void setFreeDirection(std::size_t hand, const Eigen::Vector3d& direction);
   Eigen::Vector3d freeDirection(std::size_t hand) const;
 
-  /// Shows the tool and the forces of a hand, and a circle with this radius (mm; 0: no circle),
-  /// `depth` mm below the contact point.
+  /// Shows the tool and the forces of a hand, and a contact circle. `radius` is the radius of the
+  /// circle, mm; with 0 there is no circle. `depth` is the depth of the circle below the contact
+  /// point, mm.
   void show(std::size_t hand, const ShownContact& contact, double radius, double depth);
   void hideCircles();
 
@@ -98,7 +99,8 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<Hand> Hands;
-  std::vector<Eigen::Vector3d> FreeDirections; ///< one for each hand that a session can have
+  /// One element for each hand that a session can have.
+  std::vector<Eigen::Vector3d> FreeDirections;
 };
 } // namespace palpate
 

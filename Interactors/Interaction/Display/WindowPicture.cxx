@@ -16,7 +16,8 @@ std::string writeWindowPicture(vtkRenderWindow* window, const std::string& file)
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer; // writes to memory, because vtkPNGWriter does not report a full disk
+  vtkNew<vtkPNGWriter> writer; // the picture is first written to memory, because vtkPNGWriter does
+                               // not report a full disk
   writer->SetInputConnection(grab->GetOutputPort());
   writer->WriteToMemoryOn();
   writer->Write();

@@ -90,7 +90,7 @@ std::string exaggerationText(double value)
   return digits(value, 2) + " times";
 }
 
-/// If a request takes longer than this, the panel announces it and offers to cancel it.
+/// If a request takes longer than this time, the panel shows the request and offers to cancel it.
 constexpr std::chrono::milliseconds Patience{ 300 };
 
 std::function<std::string()> always(const char* label)
@@ -128,7 +128,8 @@ std::vector<ControlRow> ContactControls::rows()
   this->addView(rows);
   this->addSession(rows);
   rows.emplace_back(ControlStatus{});
-  // The button is below the progress in the status row, so it moves no other row when it appears.
+  // The button is below the progress in the status row, so that it moves no other row when it
+  // appears.
   rows.emplace_back(
     std::vector<ControlButton>{ { always("Cancel"), [setup = this->Setup] { setup->Cancel(); },
       [] { return false; }, [this] { return this->isWaiting(); } } });
@@ -213,7 +214,7 @@ void ContactControls::addContact(std::vector<ControlRow>& rows)
   rows.emplace_back(std::move(models));
 }
 
-/// Adds the controls of the first branch of the relaxation.
+/// Adds the controls for the first branch of the relaxation.
 void ContactControls::addRelaxation(std::vector<ControlRow>& rows)
 {
   vtkContactSetup* setup = this->Setup;
@@ -306,7 +307,7 @@ void ContactControls::fitScales()
   {
     const bool isKnown = this->ShownForce > 0.0;
     this->ShownForce = force;
-    // A scale that fits the old forces fits the new forces after multiplication by the same ratio.
+    // If all forces change by one ratio, the scales are multiplied by the same ratio.
     this->scene()->SetLargestForce(isKnown ? ratio * this->scene()->GetLargestForce() : force);
     if (this->Charts)
     {

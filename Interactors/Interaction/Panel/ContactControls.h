@@ -32,7 +32,7 @@ struct ControlQuantity
   std::function<bool()> isOffered = [] { return true; }; ///< whether the row is shown
 };
 
-/// A button: an action, or a switch that is on or off.
+/// A button, which triggers an action or is a switch that is on or off.
 struct ControlButton
 {
   std::function<std::string()> label;
@@ -63,11 +63,11 @@ public:
   ContactControls& operator=(const ContactControls&) = delete;
 
   /// Returns the rows for the quantities and actions that the setup and the charts allow. The rows
-  /// are valid during the lifetime of this object.
+  /// must not be used after the destruction of this object.
   std::vector<ControlRow> rows();
 
   /// Requests new responses if the settings have changed. Passes finished responses to the session
-  /// and the scene. Returns whether responses were finished.
+  /// and the scene. Returns whether responses have been passed.
   bool update();
   /// Chooses new force scales if the forces have become much larger or smaller than before.
   void fitScales();

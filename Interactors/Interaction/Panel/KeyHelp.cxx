@@ -47,7 +47,7 @@ KeyHelp::KeyHelp()
     look->SetVerticalJustificationToTop();
   }
   this->Keys->GetTextProperty()->SetColor(KeyColor.data());
-  // In VTK's proportional font [ ] look like ( ).
+  // In VTK's proportional font, [ ] look like ( ).
   this->Keys->GetTextProperty()->SetFontFamilyToCourier();
   this->Keys->GetTextProperty()->SetBold(1);
 }
@@ -117,7 +117,8 @@ void KeyHelp::place()
     this->Keys->GetTextProperty()->SetFontSize(fontSize);
     this->Meanings->GetTextProperty()->SetFontSize(fontSize);
     this->Meanings->GetSize(this->Renderer, meanings);
-    // Lines of both columns stand side by side, whatever the heights of their fonts.
+    // The lines of both columns must be at equal heights although the heights of their fonts
+    // differ.
     double spacing = LineSpacing;
     for (int i = 0; i < 3; ++i)
     {

@@ -28,7 +28,8 @@ public:
   void setText(const std::string& text);
   const std::string& text() const { return this->Text; }
 
-  /// Shows the sheet in a renderer, in front of all other props. Null hides the sheet.
+  /// Shows the sheet in a renderer, in front of all other props. If `renderer` is null, the sheet
+  /// is hidden.
   void show(vtkRenderer* renderer);
   bool isShown() const { return this->Renderer != nullptr; }
 

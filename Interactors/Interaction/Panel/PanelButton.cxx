@@ -13,12 +13,13 @@ namespace palpate
 {
 namespace
 {
-constexpr double LeftMargin = 10.0; // pixels, for a label that is aligned left
+constexpr double LeftMargin = 10.0; // left margin of a label that is aligned left, pixels
 }
 
 PanelButton::PanelButton()
 {
-  this->NumberOfStates = 1; // on and off are set by the owner, not by the widget
+  // One state, because the owner, not the widget, switches the button on and off.
+  this->NumberOfStates = 1;
   stylePanelText(this->Text, TextColor);
   this->Text->GetTextProperty()->SetJustificationToCentered();
   this->Text->GetTextProperty()->SetVerticalJustificationToCentered();

@@ -13,8 +13,8 @@
 
 namespace palpate
 {
-/// Draws a button of the panel and finds whether a position is on it. The button is a label in a
-/// box. The box is filled while the button is on.
+/// Draws a button of the panel and determines whether a position is on the button. The button is a
+/// label in a box. The box is filled while the button is on.
 class PanelButton : public vtkButtonRepresentation
 {
 public:
@@ -27,7 +27,8 @@ public:
   bool isOn() const { return this->On; }
   void alignLeft();
 
-  /// Sets position and size, in pixels of the renderer from its lower left corner.
+  /// Sets the position of the lower left corner and the size of the button, in pixels of the
+  /// renderer.
   void place(double left, double bottom, double width, double height, int fontSize);
   /// Returns the centre of the button, in pixels of the renderer.
   void findMiddle(double position[2]) const;

@@ -14,7 +14,7 @@ struct PanelScale
   double low = 0.0;
   double high = 1.0;
   bool isLogarithmic = false; ///< requires low > 0
-  double step = 0.01;         ///< step of the values; relative for a logarithmic scale
+  double step = 0.01;         ///< step between values; relative for a logarithmic scale
 
   double shareOf(double value) const
   {

@@ -28,8 +28,8 @@ constexpr int FontSize = 14;
 constexpr int HeadingSize = 13;
 constexpr int SmallestSize = 8;
 
-/// Breaks a text into lines that fit. The break is at a blank, otherwise after a slash of a path,
-/// otherwise between any two letters (UTF-8).
+/// Breaks a text into lines for which `fits` is true. A line is broken at a blank; if it has none,
+/// after a slash; if it has none either, between any two characters (UTF-8).
 std::string broken(const std::string& text, const std::function<bool(const std::string&)>& fits)
 {
   constexpr std::size_t none = std::string::npos;
@@ -235,7 +235,8 @@ void PanelSheet::place()
     return;
   }
   const int* size = this->Renderer->GetSize();
-  // The status gets space for all its lines first. Then the other rows are reduced, if necessary.
+  // The status gets space for all its lines first. Then the heights of the other rows are reduced
+  // if necessary.
   this->breakStatus(Width - 2.0 * Margin, FontSize - 1, this->FullSize);
   for (Row& row : this->Rows)
   {

@@ -21,7 +21,8 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A column of headings, sliders and buttons in a renderer. It does not depend on their purpose.
+/// A column of headings, sliders and buttons in a renderer. The class does not depend on the
+/// purpose of the controls.
 class PanelSheet
 {
 public:
@@ -38,12 +39,13 @@ public:
   PanelSlider* addSlider(Action changed, Action released);
   /// Adds a button to a row of `inRow` buttons; call it `inRow` times for each row. The label of a
   /// single button is aligned left. Buttons that are added after the status are placed in the lower
-  /// part of the status row, below one line of text. So they move no other row when they appear.
+  /// part of the status row, below one line of text. Therefore they move no other row when they
+  /// appear.
   PanelButton* addButton(const std::string& label, Action pressed, int inRow = 1);
   void addStatus();
   void clear();
 
-  /// Sets the text of the status. It is broken into lines that fit into the sheet.
+  /// Sets the text of the status. The text is broken into lines that fit into the sheet.
   void setStatus(const std::string& text) { this->StatusText = text; }
   const std::string& status() const { return this->StatusText; }
 
@@ -91,8 +93,8 @@ private:
   std::vector<vtkSmartPointer<vtkAbstractWidget>> Widgets;
   vtkNew<vtkTextActor> Status;
   std::string StatusText;
-  BrokenText FullSize;       ///< for a sheet with enough space
-  BrokenText ShownSize;      ///< for the present size of the sheet
+  BrokenText FullSize;       ///< broken for a sheet with enough space
+  BrokenText ShownSize;      ///< broken for the present size of the sheet
   std::list<Action> Actions; ///< referenced by the widgets
   vtkRenderer* Renderer = nullptr;
 };

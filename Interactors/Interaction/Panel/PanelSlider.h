@@ -15,9 +15,9 @@
 
 namespace palpate
 {
-/// Draws a slider of the panel and finds whether a position is on it. Name and value are above a
-/// track. If the mouse button is pressed anywhere on the row, the handle moves to that place. It
-/// follows the mouse until the button is released.
+/// Draws a slider of the panel and determines whether a position is on the slider. Name and value
+/// are above the track. If the mouse button is pressed anywhere on the row, the handle moves to
+/// that position. The handle then follows the mouse until the button is released.
 class PanelSlider : public vtkSliderRepresentation
 {
 public:
@@ -34,7 +34,7 @@ public:
   bool isHeld() const { return this->Held; }
   void release() { this->Held = false; }
 
-  /// Sets position and size of the row, in pixels of the renderer from its lower left corner.
+  /// Sets the position of the lower left corner and the size of the row, in pixels of the renderer.
   void place(double left, double bottom, double width, double height, int fontSize);
   /// Returns the position of the handle for a value, in pixels of the renderer.
   void findHandle(double value, double position[2]) const;

@@ -30,8 +30,8 @@ std::array<double, 3> SteeredTilt::axis(const double normal[3], vtkRenderer* ren
                 .cross(Eigen::Vector3d(camera->GetViewUp()));
   }
   Eigen::Vector3d across = toRight - up.dot(toRight) * up;
-  // If the surface is seen from the side, the direction to the right may be along the normal. Then
-  // any direction perpendicular to the normal is used.
+  // If the surface is seen from the side, the direction to the right may be parallel to the normal.
+  // In this case any direction perpendicular to the normal is used.
   across = across.norm() > 1e-3 * toRight.norm() ? across.normalized() : up.unitOrthogonal();
   const Eigen::Vector3d ahead = up.cross(across);
   const Eigen::Vector3d along = (up + std::tan(vtkMath::RadiansFromDegrees(this->Right)) * across +

@@ -17,12 +17,12 @@ namespace palpate
 {
 namespace
 {
-/// Tolerance as a fraction of the body's diagonal. Without a tolerance vtkStaticCellLocator misses
-/// faces that lie in the walls between its bins, such as the faces of a block.
+/// Tolerance as a fraction of the body's diagonal. Without a tolerance, vtkStaticCellLocator misses
+/// faces on the boundaries between its bins, such as the faces of a block.
 constexpr double Tolerance = 1e-6;
 
-/// Returns the point in world coordinates under a display position. `depth`: depth in the view
-/// volume, from 0 (near) to 1 (far).
+/// Returns the point in world coordinates under a display position. `depth` is the depth in the
+/// view volume, from 0 (near) to 1 (far).
 void worldUnder(vtkRenderer* renderer, const int position[2], double depth, double world[3])
 {
   renderer->SetDisplayPoint(position[0], position[1], depth);

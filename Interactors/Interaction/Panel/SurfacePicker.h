@@ -14,7 +14,7 @@ class vtkCellLocator;
 
 namespace palpate
 {
-/// Finds the point of a body under a pointer.
+/// Finds the point of a body under the mouse pointer.
 class SurfacePicker
 {
 public:
@@ -23,8 +23,8 @@ public:
   SurfacePicker(const SurfacePicker&) = delete;
   SurfacePicker& operator=(const SurfacePicker&) = delete;
 
-  /// Sets the body, and the prefix of the response whose normals are used. The locator is made
-  /// again only if points or cells differ.
+  /// Sets the body, and the prefix of the response whose normals are used. The locator is rebuilt
+  /// only if the points or cells differ.
   void setBody(vtkPolyData* body, const std::string& responseName);
 
   /// Finds the first intersection of the body with the line of sight through a display position,
@@ -38,9 +38,9 @@ private:
   std::string ResponseName;
 };
 
-/// Returns a point on the line of sight through a display position. Its distance from the viewer is
-/// that of `tip` plus `away` (mm). Also returns the direction opposite to the camera's line of
-/// sight.
+/// Returns a point on the line of sight through a display position. The distance of the point from
+/// the viewer is that of `tip` plus `away` (mm). `towards` is set to the direction opposite to the
+/// camera's line of sight.
 void pointInView(vtkRenderer* renderer, const int position[2], const double tip[3], double away,
   double point[3], double towards[3]);
 } // namespace palpate

@@ -15,17 +15,17 @@ struct vtkHapticSession::Kernels : palpate::BodyKernels
 {
   vtkPolyData* body = nullptr;
   vtkMTimeType time = 0;
-  bool given = false; ///< whether the caller passed the kernels for the next Start
+  bool given = false; ///< whether the caller passed the kernels that the next Start uses
 };
 
-/// The properties of a hand to which the forces are fitted.
+/// The data of a hand to which the forces are fitted.
 struct vtkHapticSession::Hand
 {
   palpate::SafetySettings safety;
   double scale = 1.0; ///< scale of the workspace mapping
 };
 
-/// The state of the session that exists from one Start to the next.
+/// The state of the session from one Start to the next.
 struct vtkHapticSession::Started
 {
   std::vector<Hand> hands;

@@ -18,18 +18,19 @@ struct LeastFormRequest
   vtkSmartPointer<vtkPolyData> body; ///< the body with the response
   std::string name;                  ///< prefix of the response
   double tolerance = 0.01;           ///< largest relative error of the force
-  double deflection = 0.0;           ///< deflection for regime and validity, mm; 0: half of Range
+  /// Deflection at which regime and validity are evaluated, mm; 0 for half of Range.
+  double deflection = 0.0;
 
-  /// Name of the array with the body's global compliance (mm/N). If it is given, a point force is
-  /// considered, too. Tool and material must be those of the response.
+  /// Name of the array with the body's global compliance (mm/N). If it is given, the form of a
+  /// point force is also considered. Tool and material must be those of the response.
   std::string complianceArray;
   vtkSmartPointer<vtkContactTool> tool;
   double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
 };
 
-/// The body with the simplest form instead of the response, and a sentence with the reason for this
-/// form.
+/// The body with the simplest form instead of the response, and a sentence that gives the reason
+/// for this form.
 struct LeastForm
 {
   vtkSmartPointer<vtkPolyData> body; ///< null after an error

@@ -21,7 +21,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestChange = 1e6; // largest ratio of two moduli; floats keep their accuracy
+// Largest ratio of two moduli at which floats keep their accuracy.
+constexpr double LargestChange = 1e6;
 /// Largest relative rounding error of the product of modulus and compliance.
 constexpr double Rounding = 1e-12;
 constexpr std::size_t Share = 65536; // number of values that a thread scales at a time
@@ -41,7 +42,7 @@ auto partsOf(const ResponseRequest& request)
     request.complianceArray, request.tolerance, request.choiceDeflection);
 }
 
-/// Returns the factor of all forces between two requests.
+/// Returns the factor by which all forces differ between two requests.
 double factorBetween(const ResponseRequest& known, const ResponseRequest& wanted)
 {
   return reducedModulus(wanted.youngsModulus, wanted.poissonRatio) /
@@ -49,7 +50,7 @@ double factorBetween(const ResponseRequest& known, const ResponseRequest& wanted
 }
 
 /// Whether the requests differ at most in the elastic constants, and all other elastic constants of
-/// the body change with them.
+/// the body change in proportion.
 bool differInMaterialOnly(const ResponseRequest& known, const ResponseRequest& wanted);
 
 /// Whether the body is an elastic half-space with one material, at small strain.
@@ -70,8 +71,8 @@ bool haveSameRelaxation(const RelaxationRequest& a, const RelaxationRequest& b)
     a.series.time == b.series.time;
 }
 
-/// Returns the power of the modulus to which a quantity with this unit is proportional, if the
-/// deflections of the body do not change.
+/// Returns the exponent p if a quantity with this unit is proportional to the modulus to the power
+/// p. The deflections of the body are assumed not to change.
 double powerOf(std::string_view unit)
 {
   return unit == "N" || unit == "N/mm" || unit == "MPa" ? 1.0
@@ -80,7 +81,7 @@ double powerOf(std::string_view unit)
                                                         : 0.0;
 }
 
-/// Returns the same power for an array of a response, or of the body's compliance.
+/// Returns the exponent of powerOf(unit) for an array of a response or of the body's compliance.
 double powerOf(const std::string& name, const ResponseRequest& request)
 {
   for (const std::string& response : request.names)
@@ -149,7 +150,7 @@ vtkSmartPointer<vtkPolyData> scaled(
       const double power = powerOf(name, request);
       if (power != 0.0)
       {
-        // Replaces the array with the same name.
+        // This replaces the array with the same name.
         data->AddArray(scaled(array, std::pow(factor, power)));
       }
     }
@@ -159,7 +160,7 @@ vtkSmartPointer<vtkPolyData> scaled(
     const std::string name = contractOf(ResponseArray::Edges).named(response);
     if (vtkDataArray* edges = made->GetFieldData()->GetArray(name.c_str()))
     {
-      constexpr int ratio = 2; // component of Poisson's ratio
+      constexpr int ratio = 2; // index of the component with Poisson's ratio
       vtkSmartPointer<vtkDataArray> copy = scaled(edges, 1.0);
       copy->SetComponent(0, ratio, request.poissonRatio);
       made->GetFieldData()->AddArray(copy);

@@ -13,7 +13,7 @@ bool areEqual(const ResponseRequest& one, const ResponseRequest& other);
 
 /// Whether `wanted` differs from `known` only in Young's modulus, and all forces are proportional
 /// to this modulus. They are not proportional if the body has another modulus (deeper layers, a
-/// half-space below the layers, a compliance that stays the same), or if contacts are coupled.
+/// half-space below the layers, a compliance that does not change), or if contacts are coupled.
 bool isModulusChange(const ResponseRequest& known, const ResponseRequest& wanted);
 
 /// Whether `wanted` differs from `known` only in Poisson's ratio (and possibly Young's modulus),
@@ -23,7 +23,8 @@ bool isPoissonChange(const MadeResponses& known, const ResponseRequest& wanted);
 
 /// Returns the responses of `known`, scaled to the material of `wanted`. If Poisson's ratio
 /// differs, the result is preliminary. The requests must have passed isModulusChange() or
-/// isPoissonChange(). Cost: a few ms for 10⁵ points. Stops when goOn() returns false.
+/// isPoissonChange(). The cost is a few ms for 10⁵ points. The function stops when goOn() returns
+/// false.
 MadeResponses scaleForces(const MadeResponses& known, const ResponseRequest& wanted,
   const std::function<bool(double)>& goOn);
 } // namespace palpate

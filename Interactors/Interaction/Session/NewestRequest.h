@@ -19,15 +19,15 @@ namespace palpate
 {
 /**
  * A thread that processes the newest request. A new request replaces waiting requests, and makes
- * the current one obsolete. Only the destructor waits for the thread. The thread starts with the
- * first request. It runs at lower priority if the system permits it.
+ * the request in progress obsolete. Only the destructor waits for the thread. The thread starts
+ * with the first request. It runs at lower priority if the system permits it.
  */
 template <class Request, class Result>
 class NewestRequest
 {
 public:
-  /// Receives the completed fraction of the work. Returns false if the work should stop, because
-  /// there is a newer request or the request was cancelled.
+  /// A function that receives the completed fraction of the work. It returns false if the work
+  /// should stop, because there is a newer request or the request was cancelled.
   using GoOn = std::function<bool(double)>;
   /// The function that the thread calls. Results of stopped work are discarded.
   using Work = std::function<Result(const Request&, const GoOn&)>;
@@ -86,8 +86,8 @@ public:
   /// Completed fraction of the work for the newest request, 0 to 1.
   double fraction() const { return this->Fraction; }
 
-  /// Returns the result of the newest request. Empty if the result is not ready, or was already
-  /// collected.
+  /// Returns the result of the newest request. Returns an empty value if the result is not ready or
+  /// has already been collected.
   std::optional<Result> collect()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -99,7 +99,8 @@ private:
   {
 #ifdef __linux__
     constexpr int yielding = 10;
-    setpriority(PRIO_PROCESS, 0, yielding); // applies to this thread and all threads that it starts
+    // The priority applies to this thread and all threads that it starts.
+    setpriority(PRIO_PROCESS, 0, yielding);
 #endif
     std::unique_lock<std::mutex> lock(this->Mutex);
     while (true)

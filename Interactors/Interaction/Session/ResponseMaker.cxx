@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-/// Fraction of the work for the curves; the rest is for forms and kernels.
+/// Fraction of the work that is needed for the curves. The remaining work is for forms and kernels.
 constexpr double CurvesShare = 0.8;
 
 /// Scales compliance and modes to another Young's modulus. The compliance is proportional to the
@@ -47,7 +47,7 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
         scaled->SetComponent(t, c, factor * scaled->GetComponent(t, c));
       }
     }
-    data->AddArray(scaled); // replaces the array with the same name
+    data->AddArray(scaled); // this replaces the array with the same name
   }
 }
 
@@ -55,7 +55,7 @@ void scaleGlobal(vtkPolyData* body, const ResponseRequest& request)
 bool addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses& made,
   const std::function<bool(double)>& goOn)
 {
-  // FindFault is used, because GetKernel would print the error.
+  // FindFault is used because GetKernel would print the error.
   made.error = request.tools[tool]->FindFault();
   if (!made.error.empty())
   {
@@ -78,8 +78,8 @@ bool addResponse(const ResponseRequest& request, std::size_t tool, MadeResponses
   return reached(1.0);
 }
 
-/// Returns the body with the form of a tool's response that a session uses for the force. Returns
-/// null after an error.
+/// Returns the body with the form of a tool's response from which a session computes the force.
+/// Returns null after an error.
 vtkSmartPointer<vtkPolyData> formOfForce(
   const ResponseRequest& request, std::size_t tool, MadeResponses& made)
 {
@@ -95,8 +95,8 @@ vtkSmartPointer<vtkPolyData> formOfForce(
   return form.body;
 }
 
-/// Makes the kernels that the session would otherwise make. They are made one after the other,
-/// because each uses several threads.
+/// Makes the kernels that the session would otherwise make. The kernels are made one after the
+/// other, because making a kernel uses several threads.
 void makeKernels(
   const ResponseRequest& request, MadeResponses& made, const std::function<bool(double)>& goOn)
 {

@@ -28,33 +28,34 @@ struct ResponseRequest
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<std::string> toolKeys; ///< keys of the tools; equal keys mean equal tools
   std::vector<std::string> names;    ///< prefix of each tool's response
-  /// Whether the body already has the responses; then only the kernels are made.
+  /// Whether the body already has the responses, so that only the kernels are made.
   bool stored = false;
   double youngsModulus = 0.0; ///< MPa
   double poissonRatio = 0.0;
   double maximumDeflection = 0.0; ///< mm
   double layerThickness = 0.0;    ///< mm, for a body without a thickness array
-  std::string thicknessArray;     ///< "": the layer has the thickness layerThickness at all points
+  std::string thicknessArray; ///< "" if the layer has the thickness layerThickness at all points
   LayerBase base = LayerBase::Bonded;
   std::vector<StackLayer> deeper = {}; ///< layers below the first layer
-  /// Array of the thickness of the first of the deeper layers; "": the thickness is constant.
+  /// Array with the thickness of the first of the deeper layers. "" if this thickness is constant.
   std::string secondArray = {};
   std::optional<StackLayer> halfSpace = {}; ///< elastic half-space instead of a rigid base
-  std::string complianceArray;              ///< "": no compliance
+  std::string complianceArray;              ///< "" if the body has no compliance
   double complianceFactor = 1.0;            ///< factor for the body's compliance and modes
   LawTerms terms;                           ///< terms of the law
-  RelaxationRequest relaxation;             ///< for the responses of all tools
+  RelaxationRequest relaxation;             ///< relaxation of the responses of all tools
   bool coupling = false; ///< whether each contact deflects the surface at the other contacts
-  /// Largest error of the form that a session uses for the force; 0: responses are used unchanged.
+  /// Largest error of the form from which a session computes the force. With 0, the responses are
+  /// used unchanged.
   double tolerance = 0.0;
-  /// Deflection for the choice of the form, mm; 0: half of maximumDeflection.
+  /// Deflection for which the form is chosen, mm. With 0, half of maximumDeflection is used.
   double choiceDeflection = 0.0;
-  /// A kernel that has the same surface; null if none exists.
+  /// A kernel with the same surface, or null if there is none.
   std::shared_ptr<const ContactBody> surface;
   /// Responses that were computed earlier, or null. They are scaled if only Young's modulus, or
   /// Poisson's ratio of a half-space, differs (ModulusChange.h).
   std::shared_ptr<const MadeResponses> known;
-  bool isFinal = false; ///< whether preliminary results are not allowed
+  bool isFinal = false; ///< whether only final results are allowed, not preliminary ones
 };
 
 /// The finished responses, or the error.
@@ -65,19 +66,21 @@ struct MadeResponses
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   double poissonRatio = 0.0;
   ResponseRequest of; ///< the request, without `surface` and `known`
-  /// For each response, the body with the form that a session uses for the force.
+  /// For each response, the body with the form from which a session computes the force.
   std::vector<vtkSmartPointer<vtkPolyData>> forms;
-  BodyKernels kernels;              ///< kernels of these forms
-  std::vector<std::string> choices; ///< reason for each form; empty if no form was chosen
+  BodyKernels kernels; ///< kernels of these forms
+  /// Reason for the choice of each form; empty if no form was chosen.
+  std::vector<std::string> choices;
   std::string error;
   std::string warning;
-  /// Whether the forces are exact, but errors and validities are those of another Poisson's ratio.
+  /// Whether the forces are exact, but errors and validities were computed for another Poisson's
+  /// ratio.
   bool isPreliminary = false;
 };
 
-/// Makes the responses. Cost: 1 to 40 µs per point and tool; less if `known` is scaled
-/// (ModulusChange.h). Calls goOn() with the completed fraction of the work, and stops when goOn()
-/// returns false. May run on any thread.
+/// Makes the responses. The cost is 1 to 40 µs per point and tool, or less if `known` is scaled
+/// (ModulusChange.h). The function calls goOn() with the completed fraction of the work, and stops
+/// when goOn() returns false. May run on any thread.
 MadeResponses makeResponses(
   const ResponseRequest& request, const std::function<bool(double)>& goOn);
 } // namespace palpate

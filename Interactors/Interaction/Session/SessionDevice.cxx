@@ -87,7 +87,7 @@ DeviceSpecification SessionDevice::specification(double rate) const
   {
     return specificationOf(this->held.plant, rate);
   }
-  DeviceSpecification hand; // a stiff hand has neither a limit of stiffness nor a time-out
+  DeviceSpecification hand; // a stiff hand has no limit of the stiffness and no time-out
   hand.maximumStiffness = std::numeric_limits<double>::infinity();
   hand.maximumDamping = std::numeric_limits<double>::infinity();
   hand.sampleTimeOut = std::numeric_limits<double>::infinity();

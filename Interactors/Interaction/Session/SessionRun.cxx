@@ -52,8 +52,7 @@ double VirtualRun::time() const
 
 void VirtualRun::step(double seconds)
 {
-  // A tolerance of half a tick is used. If steps add up to a whole number of ticks, exactly this
-  // number of ticks runs.
+  // The tolerance of half a tick ensures that exactly n ticks run if the steps add up to n ticks.
   this->ReachedTime += seconds;
   const double end = this->ReachedTime - 0.5 * this->Period;
   while (this->time() < end)

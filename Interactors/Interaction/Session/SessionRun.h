@@ -25,7 +25,7 @@ using SessionHands = std::vector<std::shared_ptr<HapticDevice>>;
 class SessionRun
 {
 public:
-  /// `rate`: ticks per second.
+  /// `rate` is in ticks per second.
   SessionRun(SessionHands hands, double rate, const TicksKept& kept)
     : Hands(std::move(hands))
     , KeepsAll(kept.all)
@@ -38,18 +38,18 @@ public:
   SessionRun(const SessionRun&) = delete;
   SessionRun& operator=(const SessionRun&) = delete;
 
-  /// Stops the run. No force remains on the devices.
+  /// Stops the run. After the stop no device exerts a force.
   virtual void stop() = 0;
   virtual bool isRunning() const = 0;
   /// Replaces the servo scene.
   virtual void change(std::unique_ptr<ServoScene> scene) = 0;
-  /// In virtual time: computes all ticks that are due in the next `seconds`.
+  /// In virtual time, computes all ticks that are due in the next `seconds` s.
   virtual void step(double seconds) = 0;
-  /// Virtual time, s, of the next tick; 0 in real time.
+  /// Virtual time of the next tick, s. 0 in real time.
   virtual double time() const = 0;
 
   std::size_t hands() const { return this->Hands.size(); }
-  /// Newest tick of a device; a default tick before the first tick.
+  /// Newest tick of a device. Before the first tick it is a default tick.
   virtual const Tick& newest(std::size_t hand) = 0;
   /// Collects the ticks recorded since the last call.
   virtual void collect() = 0;
@@ -62,10 +62,10 @@ public:
   /// The ticks of the history.
   const TickHistory& history() const { return this->History; }
   const TickSummary& summary(std::size_t hand) const { return this->Kept[hand].summary; }
-  /// In virtual time: the duration of each recorded tick, ns.
+  /// In virtual time, the duration of each recorded tick, ns.
   const std::vector<double>& nanoseconds() const { return this->Nanoseconds; }
 
-  vtkIdType firstPoly = 0; ///< cell id of the newest body's first triangle
+  vtkIdType firstPoly = 0; ///< cell id of the first triangle of the newest body
 
 protected:
   struct HandTicks
@@ -118,7 +118,7 @@ private:
   ServoStep Step;
   double Period;
   double ReachedTime =
-    0.0; ///< sum of all steps so far, s; the last tick is less than one period earlier
+    0.0; ///< sum of all steps so far, s; the last tick is less than one period before it
   bool Running = true;
   std::vector<DeviceSample> Samples;
   std::vector<Tick> Newest;
@@ -144,7 +144,7 @@ public:
   ServoLoop* loop() override { return &this->Loop; }
 
 private:
-  ServoLoop Loop; ///< declared after the devices, so that it is destroyed before them
+  ServoLoop Loop; ///< must be declared after the devices, so that it is destroyed before them
 };
 } // namespace palpate
 

@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-/// The layers of a stack: "2 mm, E = 0.1 MPa, nu = 0.45; half-space, E = 1 MPa, nu = 0.45,
-/// slipping".
+/// Describes the layers of a stack: "2 mm, E = 0.1 MPa, nu = 0.45; half-space, E = 1 MPa, nu =
+/// 0.45, slipping".
 std::string layersInWords(vtkPolyData* body, const std::string& name)
 {
   vtkDataArray* layers =

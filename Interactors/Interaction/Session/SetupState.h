@@ -17,7 +17,8 @@
 namespace palpate::SetupArrays
 {
 constexpr const char* Thickness = "LayerThickness";
-constexpr const char* First = "LayerThickness0"; // thickness of the first layer of a stack
+// Name of the array with the thickness of the first layer of a stack.
+constexpr const char* First = "LayerThickness0";
 constexpr const char* Second = "LayerThickness1";
 constexpr const char* Compliance = "GlobalCompliance";
 } // namespace palpate::SetupArrays
@@ -25,13 +26,13 @@ constexpr const char* Compliance = "GlobalCompliance";
 struct vtkContactSetup::State
 {
   vtkSmartPointer<vtkPolyData> body;
-  vtkSmartPointer<vtkPolyData> copy; ///< copy of the body for the other thread
+  vtkSmartPointer<vtkPolyData> copy; ///< copy of the body for use by the other thread
   std::vector<vtkSmartPointer<vtkContactTool>> tools;
   std::vector<palpate::StackLayer> added; ///< layers below the first layer
 
   vtkSmartPointer<vtkPolyData> output;
   palpate::MadeResponses made; ///< the responses from which the output was assembled
-  /// Responses that were computed and not scaled, with their body.
+  /// Responses that were computed, not scaled, and the body with these responses.
   std::shared_ptr<const palpate::MadeResponses> computed;
   /// The settings that the panel changes.
   struct Settings
@@ -46,7 +47,7 @@ struct vtkContactSetup::State
   Settings shown;             ///< settings of the output
   vtkMTimeType requested = 0; ///< modification time of the last request for responses
 
-  /// Declared last, so that the thread ends before the other members are destroyed.
+  /// Must be the last member, so that the thread ends before the other members are destroyed.
   palpate::NewestRequest<palpate::ResponseRequest, palpate::MadeResponses> background{
     palpate::makeResponses
   };

@@ -23,8 +23,7 @@ namespace palpate
 {
 namespace
 {
-/// Returns the value that the fraction `share` of the sorted values does not exceed; 0 without
-/// values.
+/// Returns the quantile of the sorted values for the fraction `share`; 0 if there are no values.
 double quantile(const std::vector<double>& sorted, double share)
 {
   return sorted.empty()

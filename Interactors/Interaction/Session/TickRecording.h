@@ -15,21 +15,24 @@ class vtkTable;
 
 namespace palpate
 {
-/// Writes the ticks as one polyline of tips with the arrays of vtkToolContactProbe, `Time` (s),
-/// `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink), and
-/// `MemoryForce` if any tick has memory. `firstPoly` is the cell id of the body's first triangle.
+/// Writes the ticks as one polyline of tips. The arrays are those of vtkToolContactProbe, `Time`
+/// (s), `AppliedForce` (N, body frame), `ForceFactor` and `SafetyLinks` (int, sum of SafetyLink).
+/// `MemoryForce` is added if any tick has memory. `firstPoly` is the cell id of the body's first
+/// triangle.
 void fillRecording(const std::vector<Tick>& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 void fillRecording(const TickHistory& ticks, vtkIdType firstPoly, vtkPolyData* recording);
 
-/// Reads tip `index` of a recording or of the output of vtkToolContactProbe. Returns false if there
-/// is no such tip, or if one of the arrays Force, Deflection, ContactPoint and ContactCell is
-/// missing. Other arrays are optional. Without them, time and applied force are NaN.
+/// Reads the tip with index `index` of a recording or of the output of vtkToolContactProbe. Returns
+/// false if there is no such tip, or if one of the arrays Force, Deflection, ContactPoint and
+/// ContactCell is missing. Other arrays are optional. If their arrays are missing, time and applied
+/// force are NaN.
 bool readTick(vtkPolyData* tips, vtkIdType index, vtkIdType firstPoly, Tick& tick);
 
-/// Writes the row of vtkHapticRecorder::GetStatistics. `nanoseconds`: duration of each tick.
+/// Writes the row of vtkHapticRecorder::GetStatistics. `nanoseconds` contains the duration of each
+/// tick.
 void fillStatistics(
   const TickSummary& summary, std::vector<double> nanoseconds, vtkTable* statistics);
-/// As above, for real time, with the times of the servo loop.
+/// Writes the row for a run in real time, including the times of the servo loop.
 void fillStatistics(const TickSummary& summary, const ServoStatistics& statistics, vtkTable* table);
 
 /// Writes one row per fraction of the ticks; see vtkHapticRecorder::GetTiming.

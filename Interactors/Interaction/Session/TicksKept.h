@@ -16,12 +16,12 @@ struct TickSummary
 {
   std::uint64_t ticks = 0;
   std::uint64_t inContact = 0;
-  double peakForce = 0.0;      ///< ideal force, N
-  double memoryAtPeak = 0.0;   ///< memory part of the peak force, N
-  double peakApplied = 0.0;    ///< applied force, N
-  double peakFriction = 0.0;   ///< friction, N
-  double peakDeflection = 0.0; ///< mm
-  std::uint16_t acted = 0;     ///< all values of SafetyLink that acted in any tick
+  double peakForce = 0.0;      ///< peak of the ideal force, N
+  double memoryAtPeak = 0.0;   ///< memory part of the ideal force at its peak, N
+  double peakApplied = 0.0;    ///< peak of the applied force, N
+  double peakFriction = 0.0;   ///< peak of the friction, N
+  double peakDeflection = 0.0; ///< peak of the deflection, mm
+  std::uint16_t acted = 0;     ///< all values of SafetyLink that acted in at least one tick
 
   void add(const Tick& tick)
   {
@@ -69,7 +69,7 @@ struct TicksKept
 {
   bool all = true;                ///< whether all ticks of the run are stored
   double historySeconds = 0.0;    ///< length of the history, s
-  std::shared_ptr<TickTape> tape; ///< tape that stores the ticks between its start() and stop()
+  std::shared_ptr<TickTape> tape; ///< stores the ticks between its start() and stop()
 };
 } // namespace palpate
 

@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 using Clock = std::chrono::steady_clock;
-constexpr int FirstGreetings = 50;     ///< ms between two greetings, at the beginning
+constexpr int FirstGreetings = 50; ///< ms between two greetings while the device is being opened
 constexpr double GreetingPause = 0.25; ///< s between two greetings to a lost program
 
 std::uint64_t microseconds() noexcept
@@ -22,7 +22,7 @@ std::uint64_t microseconds() noexcept
     std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch()).count());
 }
 
-/// Whether both descriptions are of the same device; the nonce is ignored.
+/// Whether both descriptions are of the same device. The nonces are ignored.
 bool same(DescriptionReport a, DescriptionReport b) noexcept
 {
   a.nonce = b.nonce = 0;
@@ -85,7 +85,8 @@ bool BridgeDevice::greetFirst(double patience)
   }
   if (this->Known)
   {
-    this->Now = Stage::Described; // a state that arrived before has no time of the servo loop
+    // A state that arrived before the first tick has no time of the servo loop.
+    this->Now = Stage::Described;
     this->Limits = specificationOf(this->Description, &this->Remark);
     this->Watchdog = watchdogOf(this->Limits.sampleTimeOut, this->Limits);
   }
@@ -101,14 +102,14 @@ DeviceSample BridgeDevice::read(double time) noexcept
   }
   this->Fresh = false;
   this->receiveAll(time);
-  // Both conditions are written such that a time that is NaN or decreases counts as too late.
+  // Both conditions are written such that a time counts as too late if it is NaN or decreases.
   if (this->Now == Stage::Alive && !(std::abs(time - this->NewsAt) <= this->Limits.sampleTimeOut))
   {
     this->lose();
   }
   if (this->Now != Stage::Alive && !(std::abs(time - this->GreetedAt) < GreetingPause))
   {
-    this->Now = Stage::Greeting; // also if a description has arrived but no state
+    this->Now = Stage::Greeting; // this case includes a description without a state
     this->GreetedAt = time;
     ++this->Nonce;
     this->greet();
@@ -172,7 +173,7 @@ void BridgeDevice::takeState(const StateReport& state, double time) noexcept
 {
   if (this->Now == Stage::Greeting)
   {
-    return; // the program has sent no description, or no new one
+    return; // the program has sent no description since the greeting
   }
   const ReportSequence::Verdict verdict = this->Sequence.judge(state.sequence);
   this->Stale.store(this->Sequence.stale(), std::memory_order_relaxed);
@@ -202,7 +203,7 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
   this->Stranger = this->Known && !same(description, this->Description);
   if (this->Stranger || this->Now != Stage::Greeting)
   {
-    return; // it is another device, or the answer to a second greeting
+    return; // the description is of another device, or is the answer to a second greeting
   }
   this->Description = description;
   this->Known = true;
@@ -212,8 +213,8 @@ void BridgeDevice::takeDescription(const DescriptionReport& description) noexcep
 
 void BridgeDevice::lose() noexcept
 {
-  this->send({}, false);                                      // in case the program still receives
-  this->GreetedAt = -std::numeric_limits<double>::infinity(); // sends a greeting in this tick
+  this->send({}, false); // sent in case the program still receives
+  this->GreetedAt = -std::numeric_limits<double>::infinity(); // makes this tick send a greeting
   this->Now = Stage::Greeting;
   this->Disconnections.fetch_add(1, std::memory_order_relaxed);
 }
@@ -222,7 +223,8 @@ void BridgeDevice::greet() noexcept
 {
   HapticReportBytes bytes{};
   pack(HelloReport{ this->Nonce }, bytes);
-  this->Socket->send(bytes.data(), bytes.size()); // if this greeting is lost, others follow
+  // If this greeting is lost, other greetings follow.
+  this->Socket->send(bytes.data(), bytes.size());
 }
 
 bool BridgeDevice::writeWrench(const Wrench& wrench) noexcept

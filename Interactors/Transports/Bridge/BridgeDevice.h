@@ -20,15 +20,15 @@ namespace palpate
  * datagrams through a local socket (BridgeSocket). Therefore any vendor's SDK can serve as a
  * device; device/bridge_device.c is such a program.
  *
- * There are no threads: read receives the datagrams that have arrived, at most ReadsPerTick, and
- * uses the newest state; write sends a force. Each takes a few system calls and never waits. Only
- * datagrams from the program's address are used. The program counts as lost if there is no new
- * state for longer than the specification's sampleTimeOut (by the time passed to read), or if it
- * has restarted. Then read is not valid, and write sends no force and returns false. A greeting is
- * sent to a lost program four times a second. The program is used again when its description is the
- * same as before and a valid state has arrived.
+ * The class uses no threads. read receives the datagrams that have arrived, at most ReadsPerTick,
+ * and uses the newest state. write sends a force. Both functions need a few system calls and never
+ * wait. Only datagrams from the program's address are used. The program counts as lost if it has
+ * restarted, or if no new state arrives for longer than the specification's sampleTimeOut, measured
+ * by the time passed to read. While the program is lost, read returns samples that are not valid,
+ * and write sends no force and returns false. Four greetings per second are sent to a lost program.
+ * The program is used again when it has sent the same description as before and a valid state.
  *
- * The destructor sends "amplifiers off, zero force". read and write are for one thread; another
+ * The destructor sends "amplifiers off, zero force". One thread may call read and write; another
  * thread may call status and the counters.
  */
 class PALPATE_EXPORT BridgeDevice final : public HapticDevice
@@ -36,9 +36,9 @@ class PALPATE_EXPORT BridgeDevice final : public HapticDevice
 public:
   static constexpr int ReadsPerTick = 64;
 
-  /// Sends greetings to the program at `address` ("unix:/PATH", "udp:PORT") until its description
-  /// arrives, for at most `patience` seconds. If there is no description, returns null and sets
-  /// `error` to the reason.
+  /// Sends greetings to the program at `address` ("unix:/PATH" or "udp:PORT") until its description
+  /// arrives, for at most `patience` s. If no description arrives, returns null and sets `error` to
+  /// the reason.
   static std::unique_ptr<BridgeDevice> open(
     const std::string& address, std::string& error, double patience = 2.0);
   ~BridgeDevice() override;
@@ -47,8 +47,8 @@ public:
   const DescriptionReport& description() const noexcept { return this->Description; }
 
   DeviceSample read(double time) noexcept override;
-  /// Force and torque are limited to the maxima of the specification. If one of them is not finite,
-  /// both are sent as zero. No torque is sent to a device without torque.
+  /// Force and torque are limited to the maxima of the specification. If force or torque is not
+  /// finite, both are sent as zero. No torque is sent to a device without torque output.
   bool write(const Eigen::Vector3d& force) noexcept override
   {
     return this->writeWrench({ force, Eigen::Vector3d::Zero() });
@@ -58,7 +58,7 @@ public:
 
   std::string status() const override;
   DeviceErrors errors() const noexcept override;
-  /// Number of datagrams from other senders; they are ignored.
+  /// Number of datagrams from other senders. These datagrams are ignored.
   std::uint64_t foreign() const noexcept { return this->Foreign; }
 
 private:
@@ -80,7 +80,7 @@ private:
 
   std::unique_ptr<BridgeSocket> Socket;
   std::string Address;
-  std::string Remark; ///< the parts of the description that were not credible
+  std::string Remark; ///< names of the values in the description that were not credible
   DeviceSpecification Limits;
   DescriptionReport Description;
   std::uint32_t Watchdog = 0; ///< µs

@@ -24,7 +24,7 @@ sockaddr_in loopback(std::uint16_t port)
   return address;
 }
 
-/// Returns the port number; 0 if the text is invalid.
+/// Returns the port number, or 0 if the text is invalid.
 std::uint16_t portOf(const std::string& text)
 {
   if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string::npos)
@@ -41,8 +41,8 @@ std::string lastError()
 }
 } // namespace
 
-/// Returns the reason why `text` is not an address, or "". `own` is set to the address of the
-/// host's end, which is any free name.
+/// Returns "" if `text` is a valid address, else the reason why it is not. Sets `peer` to the
+/// address of the program, and `own` to the address of the host's end, which is any free name.
 std::string BridgeSocket::parse(const std::string& text, Name& peer, Name& own)
 {
   const std::string what = "'" + text + "': ";
@@ -149,8 +149,8 @@ bool BridgeSocket::isPeer(const Address& sender, socklen_t size) const noexcept
     return sender.internet.sin_port == this->Peer.address.internet.sin_port &&
       sender.internet.sin_addr.s_addr == this->Peer.address.internet.sin_addr.s_addr;
   }
-  // The unused bytes of a name are zero, so a sender without a path or with an abstract name
-  // compares as different.
+  // The unused bytes of the program's name are zero. Therefore a sender without a path or with an
+  // abstract name compares as different.
   return std::strncmp(static_cast<const char*>(sender.local.sun_path),
            static_cast<const char*>(this->Peer.address.local.sun_path),
            sizeof sender.local.sun_path) == 0;

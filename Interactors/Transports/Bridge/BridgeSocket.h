@@ -19,36 +19,36 @@ namespace palpate
  * The host's end of a local datagram socket to the program of one device. It never waits for the
  * program.
  *
- * Addresses: "unix:/PATH", if the program has bound a Unix datagram socket to exactly this path;
- * "udp:PORT", if it has bound 127.0.0.1:PORT. No data leave or enter this machine. The socket has a
- * separate address, to which the program answers. The socket is not connected, so that a restarted
- * program is reached again.
+ * The address is "unix:/PATH" if the program has bound a Unix datagram socket to exactly this path,
+ * or "udp:PORT" if the program has bound 127.0.0.1:PORT. No data leave or enter this machine. The
+ * host's socket has an address of its own, to which the program answers. The socket is not
+ * connected, so that datagrams reach a restarted program.
  */
 class PALPATE_EXPORT BridgeSocket
 {
 public:
-  /// Opens a socket. If the address is wrong or the system refuses, returns null and sets `error`
-  /// to the reason.
+  /// Opens a socket. If the address is invalid or the system refuses the socket, returns null and
+  /// sets `error` to the reason.
   static std::unique_ptr<BridgeSocket> open(const std::string& address, std::string& error);
   ~BridgeSocket();
   BridgeSocket(const BridgeSocket&) = delete;
   BridgeSocket& operator=(const BridgeSocket&) = delete;
 
-  /// Sends without waiting. Returns false if there is no receiver, or the receiver's buffer is
-  /// full.
+  /// Sends a datagram without waiting. Returns false if there is no receiver, or if the receiver's
+  /// buffer is full.
   bool send(const std::uint8_t* bytes, std::size_t size) noexcept;
 
   enum class Arrival : std::uint8_t
   {
     None,
     Datagram,
-    Foreign ///< from another sender; its bytes must not be used
+    Foreign ///< the datagram is from another sender; its bytes must not be used
   };
-  /// Receives without waiting. Before the call, `size` is the size of the buffer; after it, `size`
-  /// is that of the datagram, which may be larger.
+  /// Receives a datagram without waiting. Before the call, `size` must be the size of the buffer.
+  /// After the call, `size` is the size of the datagram, which may be larger.
   Arrival receive(std::uint8_t* bytes, std::size_t& size) noexcept;
 
-  /// Waits for a datagram, at most `milliseconds`. Not for the servo tick.
+  /// Waits at most `milliseconds` for a datagram. Must not be called from the servo tick.
   void wait(int milliseconds) noexcept;
 
 private:

@@ -9,8 +9,8 @@ namespace palpate
 {
 namespace
 {
-/// Replaces `value`, which is conservative, by `stated` if `stated` is above 0 and within the
-/// limits.
+/// Replaces the conservative `value` by the `stated` one if `stated` is above 0 and within the
+/// limits `least` and `most`.
 class CredibleValues
 {
 public:
@@ -22,7 +22,7 @@ public:
   void take(
     const char* name, const char* unit, double stated, double least, double most, double& value)
   {
-    if (stated >= least && stated <= most && stated > 0.0) // false for NaN
+    if (stated >= least && stated <= most && stated > 0.0) // the condition is false for NaN
     {
       value = stated;
     }

@@ -25,18 +25,19 @@ struct Order
   Wrench wrench;
   std::uint32_t stateSequence = 0;
   std::uint32_t watchdog = ForceReport().watchdog;
-  std::uint64_t number = 0; ///< 1, 2, 3, …
+  std::uint64_t number = 0; ///< numbers of the orders are 1, 2, 3, …
 };
 } // namespace
 
-/// Owned jointly by the thread and the writer, because the writer may end before the thread.
+/// This object is owned jointly by the thread and the writer, because the writer may end before the
+/// thread.
 struct ForceWriter::Shared
 {
   std::uint32_t Watchdog; ///< used by the tick
 
   std::uint64_t Number = 0;           ///< used by the tick
-  LatestValue<Order> Orders;          ///< tick → thread
-  std::atomic<bool> Waiting{ false }; ///< a wake-up that the thread has not yet received
+  LatestValue<Order> Orders;          ///< from the tick to the thread
+  std::atomic<bool> Waiting{ false }; ///< true while the thread has not yet received a wake-up
   sem_t Wake{};
 
   std::mutex Mutex;
@@ -45,8 +46,8 @@ struct ForceWriter::Shared
   std::atomic<bool> Taken{ true };
   std::atomic<std::uint64_t> Unsent{ 0 };
 
-  std::uint64_t Done = 0;     ///< used by the thread: number of the last order
-  std::uint32_t Sequence = 0; ///< used by the thread: number of the last report
+  std::uint64_t Done = 0;     ///< used by the thread; number of the last order
+  std::uint32_t Sequence = 0; ///< used by the thread; number of the last report
 
   explicit Shared(std::uint32_t watchdog)
     : Watchdog(watchdog)
@@ -64,7 +65,7 @@ struct ForceWriter::Shared
     {
       while (sem_wait(&this->Wake) != 0 && errno == EINTR)
       {
-        // interrupted by a signal
+        // a signal has interrupted the wait
       }
       // Cleared before the order is read, so that a later order wakes the thread again.
       this->Waiting.store(false);
@@ -92,7 +93,7 @@ struct ForceWriter::Shared
 
   bool report(const Order& order, bool enable)
   {
-    // Keeps the port while the device is busy, even if the device is lost.
+    // The local pointer keeps the port open while the device is busy, even if the device is lost.
     std::shared_ptr<HidPort> port;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 256> checkSumTable()
 
 constexpr std::array<std::uint32_t, 256> CheckSumTable = checkSumTable();
 
-/// Little-endian members of a report, independent of the byte order of the host.
+/// The members of a report are little-endian, regardless of the byte order of the host.
 void put32(HapticReportBytes& bytes, std::size_t offset, std::uint32_t value) noexcept
 {
   for (std::size_t i = 0; i < 4; ++i)
@@ -97,16 +97,17 @@ std::uint8_t flags(bool first, bool second, bool third = false) noexcept
 constexpr std::size_t OrientationOffset = 48;
 constexpr std::size_t TorqueOffset = 36;
 constexpr std::size_t TorqueLimitsOffset = 44;
-constexpr std::size_t ShortName = 3; ///< bytes of the name if the torque limits follow
+constexpr std::size_t ShortName = 3; ///< number of bytes of the name if the torque limits follow
 
-/// Returns the offset of component `i` of w, x, y, z; the largest component is omitted.
+/// Returns the offset of component `i` of the quaternion w, x, y, z. The component with the index
+/// `largest` is omitted from the report.
 std::size_t placeOf(int i, int largest) noexcept
 {
   return OrientationOffset + 4 * static_cast<std::size_t>(i < largest ? i : i - 1);
 }
 
-/// Writes the three smaller components of the quaternion. The largest one, which is made positive,
-/// can be computed from them.
+/// Writes the three smaller components of the quaternion. The largest component is made positive
+/// and can be computed from the others.
 void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation) noexcept
 {
   const Eigen::Vector4d wxyz(orientation.w(), orientation.x(), orientation.y(), orientation.z());
@@ -123,11 +124,11 @@ void putOrientation(HapticReportBytes& bytes, const ToolOrientation& orientation
   }
 }
 
-/// Reads the quaternion. Returns false if the bytes are invalid: the omitted component would not be
-/// the largest.
+/// Reads the quaternion. Returns false if the bytes are invalid, which means that the omitted
+/// component would not be the largest one.
 bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noexcept
 {
-  constexpr double Rounding = 1e-3; // tolerance for inexact devices
+  constexpr double Rounding = 1e-3; // tolerance for devices that compute inexactly
   const int largest = bytes[3] >> 3 & 3;
   Eigen::Vector4d wxyz = Eigen::Vector4d::Zero();
   for (int i = 0; i < 4; ++i)
@@ -135,7 +136,7 @@ bool getOrientation(const std::uint8_t* bytes, ToolOrientation& orientation) noe
     wxyz[i] = i != largest ? getFloat(bytes, placeOf(i, largest)) : 0.0;
   }
   const double square = wxyz.squaredNorm();
-  if (!(square <= 0.75 + Rounding)) // false for NaN
+  if (!(square <= 0.75 + Rounding)) // the condition is true for NaN, so that NaN is rejected
   {
     return false;
   }

@@ -12,10 +12,10 @@
 
 namespace palpate
 {
-/// A HID device in the system's list. Unknown members are empty or 0.
+/// An entry of the system's list of HID devices. Unknown members are empty or 0.
 struct HidEntry
 {
-  std::string path; ///< "/dev/hidraw3"
+  std::string path; ///< such as "/dev/hidraw3"
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::uint16_t usagePage = 0;
@@ -25,23 +25,24 @@ struct HidEntry
   std::string serial;
 };
 
-/// An open HID device. read is for one thread, the other functions for one other thread, unless the
-/// threads use separate ports.
+/// An open HID device. One thread may call read, and one other thread the other functions. Threads
+/// with separate ports are independent.
 class PALPATE_EXPORT HidPort
 {
 public:
   virtual ~HidPort() = default;
-  /// Waits for a report, at most `milliseconds`. Returns its length, truncated to `size`; 0 if
-  /// there is no report; −1 if the device is disconnected.
+  /// Waits at most `milliseconds` for a report. Returns the length of the report, truncated to
+  /// `size`. Returns 0 if no report arrived and −1 if the device is disconnected.
   virtual int read(std::uint8_t* bytes, std::size_t size, int milliseconds) noexcept = 0;
-  /// Sends an unnumbered output report. May block for as long as the device blocks.
+  /// Sends an unnumbered output report. May wait as long as the device is busy.
   virtual bool write(const std::uint8_t* bytes, std::size_t size) noexcept = 0;
-  /// Requests the unnumbered feature report. Returns its length, or −1 if the device has none.
+  /// Requests the unnumbered feature report. Returns the length of the report, or −1 if the device
+  /// has none.
   virtual int feature(std::uint8_t* bytes, std::size_t size) noexcept = 0;
 };
 
-/// Lists and opens HID devices: the devices of the system (through hidapi), or simulated devices
-/// for a test. For any thread except a servo thread.
+/// Lists and opens HID devices. These are the devices of the system, through hidapi, or simulated
+/// devices for a test. Any thread except a servo thread may use a bus.
 class PALPATE_EXPORT HidBus
 {
 public:
@@ -49,14 +50,14 @@ public:
   virtual std::vector<HidEntry> entries() = 0;
   /// Opens a device. If the device cannot be opened, returns null and sets `error` to the reason.
   virtual std::unique_ptr<HidPort> open(const std::string& path, std::string& error) = 0;
-  /// Returns the reason why the device cannot be opened; empty if no reason is known.
+  /// Returns the reason why the device cannot be opened. Empty if no reason is known.
   virtual std::string obstacle(const std::string& path) = 0;
-  /// Returns the reason why the list cannot have entries; empty if there is no such reason.
+  /// Returns the reason why the list cannot have entries. Empty if there is no such reason.
   virtual std::string complaint() const { return {}; }
 };
 
-/// The system's devices, by hidapi. If Palpate was built without hidapi (PALPATE_USE_HIDAPI), the
-/// bus has no entries and a complaint.
+/// The bus of the system's devices, which uses hidapi. If Palpate was built without hidapi
+/// (PALPATE_USE_HIDAPI), the bus has no entries, and complaint() returns the reason.
 PALPATE_EXPORT HidBus& systemHidBus();
 } // namespace palpate
 

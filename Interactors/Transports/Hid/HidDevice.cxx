@@ -16,10 +16,10 @@ namespace
 struct NumberedState
 {
   StateReport report;
-  std::uint64_t number = 0; ///< 1, 2, 3, …
+  std::uint64_t number = 0; ///< numbers of the states are 1, 2, 3, …
 };
 
-/// Reads the feature report with the description; all bytes are zero if there is no such report.
+/// Reads the feature report with the description. All bytes are zero if there is no such report.
 HapticReportBytes describe(HidPort& port)
 {
   HapticReportBytes bytes{};
@@ -80,7 +80,8 @@ public:
     this->States.write({ state, ++this->Number });
     this->Faulty.store(state.fault, std::memory_order_relaxed);
     this->Amplified.store(state.amplifiersOn, std::memory_order_relaxed);
-    this->Alive.store(true, std::memory_order_release); // set after the first state has been stored
+    // Set only after the first state has been stored.
+    this->Alive.store(true, std::memory_order_release);
   }
 
   void lost() noexcept override
@@ -90,8 +91,10 @@ public:
   }
 
   ForceWriter Writer;
-  LatestValue<NumberedState> States; ///< reader thread → tick
-  std::atomic<bool> Alive{ false };  ///< a valid state has arrived since the device was opened
+  LatestValue<NumberedState> States; ///< from the reader thread to the tick
+  std::atomic<bool> Alive{
+    false
+  }; ///< whether a valid state has arrived since the device was opened
   std::atomic<bool> Faulty{ false };
   std::atomic<bool> Amplified{ false };
   std::atomic<std::uint64_t> Malformed{ 0 };

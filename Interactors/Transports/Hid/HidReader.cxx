@@ -14,14 +14,15 @@ namespace palpate
 {
 namespace
 {
-constexpr int ReadLimit = 50; ///< ms; longest wait for a report, and for the end of the thread
+constexpr int ReadLimit = 50; ///< longest wait for a report and for the end of the thread, ms
 constexpr std::chrono::milliseconds SearchPause(250);
 constexpr std::chrono::milliseconds ReaderPatience(1000);
-/// Below the servo's priority, so that many reports do not delay a tick.
+/// Below the priority of the servo thread, so that many reports do not delay a tick.
 constexpr int ReaderPriority = 79;
 } // namespace
 
-/// Owned jointly by the thread and the reader, because the reader may end before the thread.
+/// This object is owned jointly by the thread and the reader, because the reader may end before the
+/// thread.
 struct HidReader::Shared
 {
   HidBus& Bus;
@@ -35,7 +36,7 @@ struct HidReader::Shared
   mutable std::mutex Mutex;
   std::condition_variable Stop;
   bool Stopping = false; ///< protected by Mutex
-  /// The reason why a device that has returned is not used. Protected by Mutex.
+  /// The reason why a device that was plugged in again is not used. Protected by Mutex.
   std::string Words;
 
   Shared(HidBus& bus, HidEntry entry, std::unique_ptr<HidPort> port,
@@ -63,7 +64,8 @@ struct HidReader::Shared
       {
         this->readOnce();
       }
-      else if (this->pause()) // immediately after the loss the system may still list the device
+      else if (this->pause()) // the pause is needed because the system may still list the device
+                              // immediately after the loss
       {
         this->search();
       }
@@ -87,7 +89,7 @@ struct HidReader::Shared
     }
     else if (count < 0)
     {
-      // Called before the loss is counted, so that a new count implies this call.
+      // Called before the loss is counted, so that an increased count implies this call.
       this->Listener->lost();
       this->Connected = false;
       this->Disconnections.fetch_add(1);

@@ -16,15 +16,15 @@ namespace palpate
 {
 namespace
 {
-/// Returns the mutex for calls of hidapi that use no device. hidapi has one error text for all of
-/// these calls, and each of them frees it.
+/// Returns the mutex for those calls of hidapi that use no device. hidapi has one error text for
+/// all of these calls, and each call frees this text.
 std::mutex& oneAtATime()
 {
   static std::mutex mutex;
   return mutex;
 }
 
-/// Converts a text of hidapi to UTF-8, independent of the program's locale.
+/// Converts a text of hidapi to UTF-8, regardless of the program's locale.
 std::string narrow(const wchar_t* text)
 {
   std::string bytes;
@@ -68,7 +68,7 @@ public:
   {
     errno = 0;
     const int count = hid_read_timeout(this->Device, bytes, size, milliseconds);
-    // A signal does not mean that the device is unplugged.
+    // An interruption by a signal does not mean that the device is unplugged.
     return count < 0 && errno == EINTR ? 0 : count;
   }
 
@@ -78,7 +78,7 @@ public:
     {
       return false;
     }
-    this->Numbered[0] = 0; // report number 0: unnumbered
+    this->Numbered[0] = 0; // report number 0 means an unnumbered report
     std::copy_n(bytes, size, this->Numbered.begin() + 1);
     return hid_write(this->Device, this->Numbered.data(), size + 1) == static_cast<int>(size) + 1;
   }

@@ -12,7 +12,7 @@ ReportSequence::Verdict ReportSequence::judge(std::uint32_t number) noexcept
     this->Run = 0;
     return Verdict::New;
   }
-  const std::uint32_t ahead = number - this->Newest; // modulo 2³²
+  const std::uint32_t ahead = number - this->Newest; // difference modulo 2³²
   if (ahead == 0 || ahead > LargestGap)
   {
     return this->doubt(number);

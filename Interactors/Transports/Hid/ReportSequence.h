@@ -12,9 +12,9 @@ namespace palpate
  * Tracks the sequence numbers of one sender's reports, and decides which reports are new.
  *
  * Numbers are compared modulo 2³², so that they may wrap around. Old and repeated numbers are
- * stale; gaps are counted as lost. A number that is farther ahead than any gap (2¹⁶ reports), or a
- * stale number, may be that of a restarted sender: it is accepted after Confirmations consecutive
- * reports, which are stale until then. The cost is constant, and no memory is allocated.
+ * stale; gaps are counted as lost. A number that is more than 2¹⁶ reports ahead, or a stale number,
+ * may be that of a restarted sender. It is accepted after Confirmations consecutive reports. Until
+ * then these reports are stale. The cost is constant, and no memory is allocated.
  */
 class PALPATE_EXPORT ReportSequence
 {
@@ -25,12 +25,13 @@ public:
   enum class Verdict : std::uint8_t
   {
     New,
-    Stale,    ///< must not be used
-    Restarted ///< may be used: the sender has restarted
+    Stale,    ///< the report must not be used
+    Restarted ///< the report may be used; the sender has restarted
   };
   Verdict judge(std::uint32_t number) noexcept;
 
-  /// Starts another sender or a new connection: the next number is the first one.
+  /// Prepares for another sender or a new connection, so that the next number counts as the first
+  /// one.
   void restart() noexcept;
 
   std::uint32_t newest() const noexcept { return this->Newest; }
@@ -43,7 +44,7 @@ private:
   bool Started = false;
   std::uint32_t Newest = 0;
   std::uint32_t Doubtful = 0; ///< the last number that was not accepted
-  std::uint32_t Run = 0;      ///< number of consecutive such numbers
+  std::uint32_t Run = 0;      ///< number of consecutive numbers that were not accepted
   std::uint64_t StaleReports = 0;
   std::uint64_t LostReports = 0;
 };

@@ -20,10 +20,10 @@ constexpr double LongestStep = 0.02;
 struct NumberedAxes
 {
   SpaceMouseState state;
-  std::uint64_t number = 0; ///< 1, 2, 3, …
+  std::uint64_t number = 0; ///< numbers of the reports are 1, 2, 3, …
 };
 
-/// Returns 0 within the dead zone; beyond it the result grows linearly up to ±1.
+/// Returns 0 within the dead zone. Outside the dead zone the result grows linearly up to ±1.
 double beyondDeadZone(double value, double deadZone) noexcept
 {
   const double beyond = std::max(0.0, std::abs(value) - deadZone) / (1.0 - deadZone);
@@ -48,7 +48,7 @@ class SpaceMouseDevice::Link final : public HidListener
 public:
   std::string returned(HidPort&, const HidEntry&) override
   {
-    this->State = {}; // the cap counts as at rest until a report arrives
+    this->State = {}; // the cap is assumed to be at rest until a report arrives
     this->publish();
     return {};
   }
@@ -67,7 +67,7 @@ public:
 
   void lost() noexcept override { this->Alive.store(false, std::memory_order_release); }
 
-  LatestValue<NumberedAxes> States; ///< reader thread → tick
+  LatestValue<NumberedAxes> States; ///< from the reader thread to the tick
   std::atomic<bool> Alive{ true };  ///< initially true, because the device sends no reports at rest
   std::atomic<std::uint64_t> Malformed{ 0 };
 

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double FullDeflection = 350.0; ///< counts
+constexpr double FullDeflection = 350.0; ///< full deflection, in counts of the device
 
 double axis(const std::uint8_t* bytes) noexcept
 {
@@ -15,7 +15,8 @@ double axis(const std::uint8_t* bytes) noexcept
   return static_cast<std::int16_t>(bits) / FullDeflection;
 }
 
-/// Converts the axes of a report (right, towards the user, down) to right, up, towards the user.
+/// Converts the axes of a report (right, towards the user, down) to the axes of SpaceMouseState
+/// (right, up, towards the user).
 Eigen::Vector3d axes(const std::uint8_t* bytes) noexcept
 {
   return { axis(bytes), -axis(bytes + 4), axis(bytes + 2) };

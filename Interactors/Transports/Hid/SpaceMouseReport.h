@@ -14,18 +14,19 @@ namespace palpate
 /**
  * Displacement and rotation of the cap of a 3Dconnexion mouse, and its buttons.
  *
- * Axes: x to the right, y up, z towards the user. (The axes of the reports are right, towards the
- * user, down.) 1 is full deflection: 350 counts; worn devices reach slightly more.
+ * The axes are x to the right, y up and z towards the user; those of the reports are right, towards
+ * the user and down. The value 1 is full deflection, which is 350 counts. Worn devices reach
+ * slightly more.
  */
 struct SpaceMouseState
 {
   Eigen::Vector3d push = Eigen::Vector3d::Zero();
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< about the axes, right-handed
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< rotation about the axes, right-handed
   std::uint32_t buttons = 0;
 };
 
 /**
- * Reads one report into the state. Numbers are signed 16 bit, little-endian.
+ * Reads one report into the state. Numbers are little-endian, signed and have 16 bits.
  *
  * | first byte | bytes | layout |
  * |---|---|---|

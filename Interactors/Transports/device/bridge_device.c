@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes any vendor's device a device of Palpate: call its SDK in the two functions at the top.
+/*
+ * Template of a program that makes any vendor's device available to Palpate. Call the vendor's SDK
+ * in the two functions at the top.
  *   cc bridge_device.c palpate_hid.c -lm -o bridge_device && ./bridge_device /tmp/d
- * Its address is then bridge:unix:/tmp/d. */
+ * Then the address of the device is bridge:unix:/tmp/d.
+ */
 #define _POSIX_C_SOURCE 200809L
 #include "palpate_hid.h"
 

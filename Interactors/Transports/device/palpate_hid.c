@@ -44,7 +44,7 @@ uint32_t palpate_hid_check_sum(const uint8_t* bytes, size_t size)
   return ~remainder;
 }
 
-/* Fields are little-endian, independent of the byte order of the processor. */
+/* Fields are little-endian, regardless of the byte order of the processor. */
 static void put32(uint8_t* to, uint32_t value)
 {
   for (int i = 0; i < 4; ++i)
@@ -80,7 +80,8 @@ static float get_float(const uint8_t* from)
   return value;
 }
 
-/* Neither NaN nor infinite; also correct if the compiler assumes finite numbers. */
+/* Whether a float is neither NaN nor infinite. The test also works if the compiler assumes finite
+ * numbers. */
 static bool is_finite(const uint8_t* from)
 {
   return (get32(from) & 0x7F800000u) != 0x7F800000u;
@@ -119,7 +120,7 @@ void palpate_hid_start(palpate_hid* hid, float maximum_force, uint32_t longest_w
   hid->longest_watchdog = longest_watchdog_us;
 }
 
-/* Ends the last force when its time has expired; there is no force until the next report. */
+/* Ends the last force when its time has expired. The force is then zero until the next report. */
 static void watch(palpate_hid* hid, uint64_t now_us)
 {
   if (hid->alive && now_us - hid->force_time > hid->watchdog)
@@ -139,8 +140,8 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
     return false;
   }
   number = get32(report + 4);
-  /* Old or repeated, modulo 2^32. After the watchdog any number is accepted: the host has
-     restarted. */
+  /* Numbers are compared modulo 2^32; old and repeated numbers are refused. After the watchdog has
+   * expired, any number is accepted, because the host may have restarted. */
   if (hid->alive && (number == hid->force_sequence || number - hid->force_sequence > 0x7FFFFFFFu))
   {
     ++hid->refused;
@@ -163,8 +164,8 @@ bool palpate_hid_receive(palpate_hid* hid, const uint8_t* report, size_t size, u
   return true;
 }
 
-/* Copies a vector from the host, limited to the length `most`. Returns false, with zeros, while the
- * amplifiers are off. */
+/* Copies a vector from the host, limited to the length `most`. While the amplifiers are off, sets
+ * the vector to zero and returns false. */
 static bool applied(palpate_hid* hid, uint64_t now_us, const float from[3], float most, float to[3])
 {
   float length;
@@ -197,8 +198,8 @@ bool palpate_hid_torque(palpate_hid* hid, uint64_t now_us, float torque[3])
   return applied(hid, now_us, hid->torque, hid->maximum_torque, torque);
 }
 
-/* Omits the largest of the four components and makes it positive. The host computes it, because
- * the sum of the squares is 1. */
+/* Omits the largest of the four components and makes it positive. The host computes the omitted
+ * component, because the sum of the squares is 1. */
 static void put_orientation(uint8_t* report, const float quaternion[4])
 {
   int largest = 0;

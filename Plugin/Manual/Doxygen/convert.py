@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Markdown page as a page of Doxygen: links between pages, to headings, files and pictures become its own, class names
-become links, $formulas$ and blocks of ```math become formulas of Doxygen. Pictures and files are expected in the folder
-files/ next to the HTML, where make.py puts them.
+"""Converts a Markdown page to a page of Doxygen. Links to pages, headings, files and pictures become links of Doxygen,
+class names become links, and $formulas$ and blocks of ```math become formulas of Doxygen. Pictures and files are
+expected in the folder files/ next to the HTML, to which make.py copies them.
 """
 import re
 from pathlib import Path
@@ -9,7 +9,7 @@ from pathlib import Path
 from pages import (CODE_SPAN, EXTERNAL, FORMULA, HEADING, LINK, MATH_FENCE, TOP, anchor, lines_of, page_name,
                    split_target)
 
-# Pages whose links make the table of contents. The linked pages are placed below them.
+# Pages whose links form the table of contents. The linked pages are placed below these pages.
 CONTENTS = {"manual", "reference_house"}
 ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filters/Laws", "Filters/Solids",
                                  "Filters/Strain", "Filters/Identification", "Filters/Response", "Filters/SolidResponse",
@@ -19,19 +19,19 @@ ROOMS = [TOP / wing for wing in ("Filters/Mechanics", "Filters/Contact", "Filter
 
 
 def private_headers():
-    """The headers that a room's CMakeLists.txt calls private."""
+    """Returns the headers that the CMakeLists.txt of a folder declares as private."""
     for room in ROOMS:
         text = re.sub(r"#.*", "", (room / "CMakeLists.txt").read_text(encoding="utf-8"))
         private = False
         for word in re.findall(r"[^\s()]+|\)", text):
-            if word == ")" or re.fullmatch(r"[A-Z_]{4,}", word): # the end of a list, or the name of a list
+            if word == ")" or re.fullmatch(r"[A-Z_]{4,}", word): # the end of a list, or the name of the next list
                 private = word in ("PRIVATE_CLASSES", "PRIVATE_HEADERS")
             elif private:
                 yield room / (word if word.endswith(".h") else word + ".h")
 
 
 def public_classes():
-    """Name -> full name of each class that has a public header of its own."""
+    """Returns a dictionary from the name to the full name of each class that has a public header."""
     found, private = {}, set(private_headers())
     for header in (path for room in ROOMS for path in room.rglob("*.h") if path not in private):
         text = header.read_text(encoding="utf-8")
@@ -42,7 +42,7 @@ def public_classes():
 
 class Page:
     def __init__(self, path, inserted):
-        """`inserted`: what stands in place of a line that is a comment, by the comment's text."""
+        """`inserted` maps the text of a comment to the text that replaces the line of this comment."""
         self.path = path.resolve()
         self.name = page_name(self.path.relative_to(TOP))
         self.inserted = inserted
@@ -79,7 +79,7 @@ class Page:
         return '<a href="files/%s">%s</a>' % (file, text)
 
     def name_classes(self, line):
-        """`vtkContactTool` leads to its page. Not in what is a link already."""
+        """Makes `vtkContactTool` a link to the page of the class, except inside an existing link."""
         def name(span):
             full = self.classes.get(span.group(2))
             return "[%s](@ref %s)" % (span.group(2), full) if full else span.group()
@@ -88,7 +88,7 @@ class Page:
 
     @staticmethod
     def name_formulas(line):
-        """$x$ is \\f$x\\f$ in Doxygen. Not in code."""
+        """Replaces $x$ by \\f$x\\f$, the form of Doxygen, except in code."""
         pieces = re.split(r"(`+.+?`+)", line)
         return "".join(piece if i % 2 else FORMULA.sub(lambda formula: r"\f$%s\f$" % formula.group(1), piece)
                        for i, piece in enumerate(pieces))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A C header for Doxygen: its plain comments become Doxygen's, the first one that of the file. Behind code a comment
-belongs to what stands before it.
+"""Converts a C header for Doxygen. Plain comments become comments of Doxygen, and the first one becomes the comment of
+the file. A comment after code belongs to the preceding declaration.
 
     filter_c_header.py FILE
 """

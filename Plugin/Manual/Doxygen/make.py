@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Manual, gallery and public classes as HTML, by Doxygen.
+"""Makes HTML pages of the manual, the gallery and the public classes by Doxygen.
 
     make.py [--output FOLDER] [--no-examples]
 
-The examples of Plugin/Python/examples are run first, unless what they left is there, and what they print and draw
-becomes the end of the gallery. They need the package palpate on PYTHONPATH and a display; ./run docs sees to both.
-Any warning of Doxygen is an error. Exit code: 0 done, 1 not, 2 a wrong call, 77 Doxygen is not installed.
+The examples of Plugin/Python/examples are run first unless their results exist. Their output and pictures become the
+end of the gallery. They need the package palpate on PYTHONPATH and a display; ./run docs provides both. Any warning
+of Doxygen is an error. Exit code: 0 success, 1 an error, 2 wrong usage, 77 Doxygen is not installed.
 """
 import argparse
 import re
@@ -19,12 +19,12 @@ from convert import Page, private_headers
 from pages import TOP, links, page_name, pages, split_target
 
 EXAMPLES = TOP / "Plugin/Python/examples"
-# Arguments of the examples that need some.
+# Command-line arguments of the examples that need any.
 ARGUMENTS = {"touch_window.py": ["--demo"], "read_contract.py": ["ball.vtp", "Finger", "100"]}
 
 
 def run_example(script, folder):
-    """What it prints; None where it cannot run here."""
+    """Runs an example. Returns its output, or None if the example cannot run on this machine."""
     interpreter = "pvpython" if re.search(r"\./run pvpython|pvbatch", script.read_text(encoding="utf-8")) else sys.executable
     command = [interpreter, str(script), *ARGUMENTS.get(script.name, [])]
     try:
@@ -39,7 +39,7 @@ def run_example(script, folder):
 
 
 def run_examples(folder):
-    """What each example printed and drew, kept in `folder`; (script, text, pictures) of those that ran."""
+    """Runs the examples and stores their results in `folder`. Returns (script, text, pictures) of each that ran."""
     folder.mkdir(parents=True, exist_ok=True)
     results = []
     for script in sorted(EXAMPLES.glob("*.py")):
@@ -57,7 +57,7 @@ def run_examples(folder):
 
 
 def example_page(results):
-    """The end of the gallery: of each example its first words, pictures, command and output."""
+    """Returns the end of the gallery, with the description, pictures, command and output of each example."""
     for script, text, pictures in results:
         source = script.read_text(encoding="utf-8")
         first, rest = re.search(r'"""(.*?)\n(.*?)"""', source, re.DOTALL).groups()
@@ -74,7 +74,7 @@ def example_page(results):
 
 
 def write_layout(path):
-    """Doxygen's own, but what a class is for stands before the list of its members."""
+    """Writes Doxygen's layout, changed so that the description of a class precedes the list of its members."""
     subprocess.run(["doxygen", "-l", str(path)], check=True, stdout=subprocess.DEVNULL)
     text = path.read_text(encoding="utf-8")
     head, rest = text.split("<class>", 1)
@@ -93,7 +93,7 @@ def write_pages(folder, inserted):
 
 
 def run_doxygen(output, settings=""):
-    """With more settings than those of the Doxyfile. What Doxygen complains about; empty: nothing."""
+    """Runs Doxygen with the Doxyfile and additional `settings`. Returns its warnings; empty if there are none."""
     version = re.search(r"VERSION (\d[\d.]*)", (TOP / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])
     write_layout(output / "layout.xml")
     done = subprocess.run(["doxygen", "-"], cwd=TOP, text=True, capture_output=True, input="\n".join((
@@ -108,7 +108,7 @@ def run_doxygen(output, settings=""):
 
 
 def copy_files(output):
-    """What pages show or name beside other pages, and the examples."""
+    """Copies the examples, and the files and pictures to which pages refer."""
     named = {split_target(page, target)[0] for page in pages()
              for _, _, target in links(page.read_text(encoding="utf-8"))}
     named |= {path.relative_to(TOP) for path in EXAMPLES.glob("*.py")}
@@ -118,7 +118,7 @@ def copy_files(output):
 
 
 def main(words, settings=""):
-    """`settings`: of Doxygen, after those of the Doxyfile."""
+    """Runs the program. `settings` are additional settings of Doxygen, which override those of the Doxyfile."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--output", type=Path, default=TOP / "build/docs", help="default: build/docs")
     parser.add_argument("--no-examples", action="store_true", help="the gallery shows what the tree holds")

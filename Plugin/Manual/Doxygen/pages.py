@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a Markdown page of this tree consists of: headings, links, code. Known to the filter for Doxygen, to make.py
-and to the tests of the documentation.
+"""Finds headings, links and code in the Markdown pages of this tree, for the filter of Doxygen, make.py and the tests of
+the documentation.
 
-Pages are written for a code-hosting site: relative links to files, `#heading` for a heading.
+Pages are written for a code-hosting site: links to files are relative, and `#heading` is a link to a heading.
 """
 import re
 from pathlib import Path
@@ -13,15 +13,15 @@ FENCE = re.compile(r"^ *```")
 MATH_FENCE = re.compile(r"^ *```math$")
 HEADING = re.compile(r"^(#{1,6}) +(.*?) *$")
 CODE_SPAN = re.compile(r"(`+)(.+?)\1")
-# A formula in a line, by the rule of code-hosting sites: no space inside next to a dollar sign, no letter or digit outside.
+# A formula in a line, as on code-hosting sites: no space inside next to a dollar sign, no letter or digit outside.
 FORMULA = re.compile(r"(?<![\w$\\])\$(?=\S)([^$]+?)(?<=\S)\$(?![\w$])")
-# "!", text, target. The text may contain code and one pair of brackets.
+# The groups are "!", text and target. The text may contain code and one pair of brackets.
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 EXTERNAL = re.compile(r"[a-z]+:")
 
 
 def lines_of(text):
-    """(line number, line, whether it is code) of each line."""
+    """Yields (line number, line, whether the line is code) for each line."""
     fenced = False
     for number, line in enumerate(text.splitlines(), 1):
         fence = bool(FENCE.match(line))
@@ -30,13 +30,13 @@ def lines_of(text):
 
 
 def anchor(heading):
-    """As code-hosting sites make it of a heading."""
+    """Returns the anchor that code-hosting sites make from a heading."""
     plain = re.sub(r"[`*]", "", LINK.sub(r"\2", heading)).lower()
     return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
 
 
 def headings(text):
-    """The anchors of a page."""
+    """Returns the anchors of a page."""
     for _, line, code in lines_of(text):
         match = not code and HEADING.match(line)
         if match:
@@ -44,10 +44,10 @@ def headings(text):
 
 
 def links(text):
-    """(line number, is a picture, target) of each link that is not to another site."""
+    """Yields (line number, whether it is a picture, target) for each link that is not to another site."""
     for number, line, code in lines_of(text):
         if not code:
-            # Text in a code span is not a link. It does not matter here that the text of a link may be code.
+            # Text in a code span is not a link. The text of a link may be code, which does not affect its target.
             plain = CODE_SPAN.sub(lambda span: "`" * len(span.group()), line)
             for picture, _, target in LINK.findall(plain):
                 if not EXTERNAL.match(target):
@@ -55,7 +55,7 @@ def links(text):
 
 
 def split_target(page, target):
-    """The file that a link of `page` names, relative to the top, and the anchor in it. None: outside of the tree."""
+    """Returns file (relative to the top) and anchor of a link's target in `page`; None for a file outside the tree."""
     path, _, heading = target.partition("#")
     file = (page.parent / path).resolve() if path else page.resolve()
     try:
@@ -65,7 +65,7 @@ def split_target(page, target):
 
 
 def pages():
-    """All Markdown pages except those that are built."""
+    """Returns all Markdown pages except those that the build makes."""
     for entry in sorted(TOP.iterdir()):
         if entry.suffix == ".md":
             yield entry
@@ -74,7 +74,7 @@ def pages():
 
 
 def page_name(path):
-    """The name of a page, given relative to the top, in the HTML: Plugin/Manual/HowTo/mesh.md is howto_mesh.html."""
+    """Returns the HTML name of a page given relative to the top: Plugin/Manual/HowTo/mesh.md is howto_mesh.html."""
     if path == Path("README.md"):
         return "index"
     if path == Path("Plugin/Manual/README.md"):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What CPack is about to pack, as Debian has it: below /usr the loader finds the libraries by itself, so the run
-# paths that make an installation movable go. Only the plugin looks beside itself, for its own library.
-file(GLOB archives "${CPACK_TEMPORARY_DIRECTORY}/palpate-dev/usr/lib*/*/libpalpate*CS.a") # ParaView's, of no use
+# Adapts the files that CPack packs to Debian. Below /usr the loader finds the libraries without run paths; therefore
+# the run paths, which make an installation relocatable, are removed. Only the plugin keeps one, for the library in its
+# own folder.
+file(GLOB archives "${CPACK_TEMPORARY_DIRECTORY}/palpate-dev/usr/lib*/*/libpalpate*CS.a") # made by ParaView and not needed
 if(archives)
   file(REMOVE ${archives})
 endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What looks after the camera, wherever ParaView was built with Qt. Appends to `panel`.
+# The class that resets the camera, if ParaView was built with Qt. Appends to `panel`.
 if(PARAVIEW_USE_QT)
   paraview_plugin_add_auto_start(
     CLASS_NAME pqUnitCamera

@@ -23,7 +23,7 @@ int unitOf(pqPipelineSource* source)
   return vtkSMPropertyHelper(source->getProxy(), Unit).GetAsInt();
 }
 
-/// The render views in which an output of these sources is visible.
+/// Returns the render views in which an output of these sources is visible.
 QSet<pqRenderView*> viewsOf(const QList<pqPipelineSource*>& sources)
 {
   QSet<pqRenderView*> views;
@@ -95,7 +95,8 @@ void pqUnitCamera::onDataUpdated(pqPipelineSource* source)
   this->resetViewsSoon();
 }
 
-/// Resets the views after the pipeline, and the objects that show its sources, have finished.
+/// Resets the views after the pipeline has finished, and after the classes that make the sources
+/// visible have finished.
 void pqUnitCamera::resetViewsSoon()
 {
   if (!this->Waiting.isEmpty())
@@ -113,7 +114,7 @@ void pqUnitCamera::resetViews()
     for (pqRenderView* view : views)
     {
       this->Waiting.remove(source);
-      view->getViewProxy()->Update(); // updates the bounds to which the camera is reset
+      view->getViewProxy()->Update(); // updates the bounds that the camera is reset to
       view->resetCamera();
       view->render();
     }

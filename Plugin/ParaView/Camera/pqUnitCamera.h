@@ -10,10 +10,10 @@ class pqPipelineSource;
 
 /**
  * When the Length Unit of a body changes, the body becomes ten or a thousand times as large, and an
- * unchanged camera shows nothing. When the change is applied, this class resets the render
- * views that show the body or its results. The views keep their direction.
+ * unchanged camera shows nothing. When the change is applied, this class resets the render views
+ * that show the body or its results. The direction of the views does not change.
  *
- * The camera is not moved by any other property, nor by a unit that a state file sets.
+ * No other property moves the camera, and neither does a unit that a state file sets.
  */
 class pqUnitCamera : public QObject
 {
@@ -37,7 +37,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqUnitCamera)
 
-  QHash<pqPipelineSource*, int> Units; ///< the last unit of each source
+  QHash<pqPipelineSource*, int> Units; ///< the last Length Unit of each source
   QSet<pqPipelineSource*> Waiting;     ///< sources whose views must be reset
 };
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The handle of Touch, wherever ParaView was built with Qt; elsewhere the panel has no need of it.
-# Appends to `panel`, what paraview_add_plugin() takes.
+# The handle of Touch, if ParaView was built with Qt. Appends the arguments for paraview_add_plugin() to `panel`.
 if(PARAVIEW_USE_QT)
   paraview_plugin_add_property_widget(
     KIND GROUP_WIDGET
@@ -16,7 +15,7 @@ function(palpate_finish_touch_handle)
   if(PARAVIEW_USE_QT)
     target_include_directories(Palpate PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Handle")
     target_link_libraries(Palpate PRIVATE ParaView::pqApplicationComponents
-      VTK::GUISupportQt) # which the headers of ParaView 6 include without saying so
+      VTK::GUISupportQt) # the headers of ParaView 6 include it without declaring the dependency
     set_property(SOURCE ${touch_handle_sources} APPEND PROPERTY COMPILE_OPTIONS
       -Wall -Wextra -Wshadow -Wformat=2 $<$<BOOL:${PALPATE_WERROR}>:-Werror>)
   endif()

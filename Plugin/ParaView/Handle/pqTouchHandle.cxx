@@ -22,8 +22,8 @@ pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidg
   : Superclass(proxy, group, parent)
 {
   // The panel also receives the change. follow() must run after the panel; otherwise the filter
-  // would remain marked as changed. follow() runs once for all changes that have arrived until
-  // then.
+  // would remain marked as changed. One call of follow() handles all changes that have arrived
+  // before it runs.
   const auto come = [this]()
   {
     if (!this->IsPending)
@@ -36,8 +36,8 @@ pqTouchHandle::pqTouchHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidg
   this->connect(this, &pqPropertyWidget::changeFinished, come);
   this->connect(
     this, &pqInteractivePropertyWidgetAbstract::endInteraction, this, &pqTouchHandle::traceEnd);
-  // The panel numbers handles in its own order, so each handle is named after the property that it
-  // moves.
+  // The panel numbers handles in its own order. Therefore each handle is named after the property
+  // that it moves.
   const char* property = proxy->GetPropertyName(group->GetProperty("WorldPosition"));
   const QString position = property ? property : "";
   this->connect(this, &QObject::objectNameChanged, this,

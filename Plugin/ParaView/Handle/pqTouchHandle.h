@@ -5,10 +5,10 @@
 #include "pqHandlePropertyWidget.h"
 
 /**
- * ParaView's point handle, with a filter that follows it immediately: the panel widget
+ * A point handle of ParaView whose filter follows the handle immediately. It is the panel widget
  * "touch_handle" of a property group. A new position (dragged, picked or typed) is passed to the
  * filter without Apply, and the view is rendered. Before the first Apply, or if other properties
- * have also changed, the position waits for Apply.
+ * have also changed, the position is passed at the next Apply.
  */
 class pqTouchHandle : public pqHandlePropertyWidget
 {
@@ -21,12 +21,13 @@ public:
 
 private Q_SLOTS:
   void follow();
-  /// At the end of a drag: traces only the last position.
+  /// Records the position in the trace at the end of a drag, so that only the last position of the
+  /// drag is traced.
   void traceEnd();
 
 private:
   Q_DISABLE_COPY(pqTouchHandle);
-  /// Whether a property of the filter waits for Apply.
+  /// Whether another property of the filter waits for Apply.
   bool hasOtherChanges() const;
 
   bool IsPending = false; ///< whether follow() must still process a position

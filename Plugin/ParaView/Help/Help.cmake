@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The pages of ParaView's help, with the pictures of the manual, in the order of contents.xml. Without that file ParaView would
-# list them by file name, and its index twice. Appends to `panel`, what paraview_add_plugin() takes.
+# The help pages for ParaView, with the pictures of the manual, in the order of contents.xml. Without contents.xml,
+# ParaView would list the pages by file name, and the index twice. Appends the arguments for paraview_add_plugin() to
+# `panel`.
 if(PARAVIEW_USE_QT)
   set(help "${CMAKE_CURRENT_BINARY_DIR}/HelpPages")
   set(help_pages)

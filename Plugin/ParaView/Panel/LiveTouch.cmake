@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The dock *Live Touch*, a part of the plugin wherever ParaView was built with Qt. A ParaView without
-# (a server on a cluster) gets the plugin without it.
+# The dock *Live Touch*, which is part of the plugin if ParaView was built with Qt. A ParaView without Qt, such as a
+# server on a cluster, gets the plugin without the dock.
 set(panel)
 if(PARAVIEW_USE_QT)
   paraview_plugin_add_dock_window(

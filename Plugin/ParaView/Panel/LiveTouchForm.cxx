@@ -38,8 +38,8 @@ Widget* named(const char* name, const char* help)
   return widget;
 }
 
-/// Returns the error of the newest tick as text, such as "± 4 %"; "–" without a contact, or if the
-/// response has no error array.
+/// Returns the error of the newest tick as text, such as "± 4 %". Returns "–" without a contact, or
+/// if the response has no error array.
 QString errorOf(vtkHapticSession* session)
 {
   const Tick tick = session->GetNewestTick();
@@ -177,7 +177,7 @@ QString LiveTouchForm::chosenDevice() const
 void LiveTouchForm::showSource(const LiveTouchSource& source, const QString& name)
 {
   set(this->body, source.obstacle.isEmpty() ? name : source.obstacle);
-  // The choice is kept while the body is the same.
+  // The chosen response remains chosen while the body is the same.
   const QString before = source.body == this->shown ? this->chosenResponse() : QString();
   this->shown = source.body;
   const bool wasBlocked = this->response->blockSignals(true);

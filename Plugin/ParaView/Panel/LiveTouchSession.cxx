@@ -16,12 +16,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double Lift = 3.0;   // mm above the surface, start of a simulated hand
-constexpr double Hover = 10.0; // mm above the surface, start of a device's hand
-// Fraction of the body's size; for larger distances a simulated hand is lifted.
+constexpr double Lift = 3.0;   // height of a simulated hand above the surface at the start, mm
+constexpr double Hover = 10.0; // height of a device's hand above the surface at the start, mm
+// Distance, as a fraction of the body's size, beyond which a simulated hand is lifted.
 constexpr double FarDistance = 0.1;
 
-/// Stores the text of the session's errors, without the class and the address that VTK adds.
+/// Stores the text of the session's errors, without the class name and the address that VTK adds.
 void storeError(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string error = static_cast<const char*>(text);
@@ -31,7 +31,7 @@ void storeError(vtkObject*, unsigned long, void* kept, void* text)
   *static_cast<std::string*>(kept) = error;
 }
 
-/// Makes another object with the same arrays, since displayed objects cache their bounds.
+/// Makes another object with the same arrays, because displayed objects cache their bounds.
 vtkSmartPointer<vtkPolyData> sameArrays(vtkPolyData* body)
 {
   auto view = vtkSmartPointer<vtkPolyData>::New();
@@ -63,7 +63,7 @@ void LiveTouchSession::start(vtkPolyData* body, const std::string& response,
 
 void LiveTouchSession::replace(vtkPolyData* body, const std::string& response)
 {
-  // Before the session runs, no device is open; therefore the request must name the device.
+  // Before the session runs, no device is open. Therefore the request must name the device.
   this->request(body, response, this->Phase == State::Touching ? std::string() : this->Device);
 }
 
@@ -82,7 +82,7 @@ void LiveTouchSession::stop()
   {
     this->Session->Stop();
   }
-  this->Session = nullptr; // also releases the device
+  this->Session = nullptr; // this also closes the device
   this->Phase = State::Idle;
   this->Kernels = {};
   this->Tool = nullptr;
@@ -112,7 +112,7 @@ bool LiveTouchSession::take(PreparedLiveTouch& made)
   {
     this->fail(made.error.empty() ? this->Complaint : made.error);
   }
-  // The other thread has finished the newest request and therefore all requests.
+  // The other thread has finished the newest request, and therefore all requests.
   this->Held.clear();
   return true;
 }
@@ -233,12 +233,12 @@ bool LiveTouchSession::steer(const TouchHandle& handle)
     return true;
   }
   this->Session->Stop();
-  // The kernels are also set, so that Start takes no time.
+  // The kernels are set together with the body, so that Start need not make them.
   this->Session->SetBody(this->Body, this->Kernels);
   this->putDown();
   if (this->Session->GetState() == vtkHapticSession::Stopped)
   {
-    this->Phase = State::Preparing; // no session exists that could continue
+    this->Phase = State::Preparing; // there is no session that could continue
     return this->fail(this->Complaint);
   }
   return true;

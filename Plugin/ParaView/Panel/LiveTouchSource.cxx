@@ -51,8 +51,8 @@ std::vector<StoredResponse> listResponses(vtkPVDataInformation* data)
   return responses;
 }
 
-/// Moves the response that the source *Touch* shows to the front. Without a source *Touch*, moves
-/// the response with the filters' default name to the front.
+/// Moves the response that the source *Touch* shows to the front of the list. Without a source
+/// *Touch*, the response with the filters' default name is moved.
 void putShownFirst(std::vector<StoredResponse>& responses, pqPipelineSource* touch)
 {
   const char* name =
@@ -70,7 +70,8 @@ Proxy newFilter(vtkSMSourceProxy* beside, const char* name)
     vtkSMSourceProxy::SafeDownCast(beside->GetSessionProxyManager()->NewProxy("filters", name)));
 }
 
-/// Joins the parts of several ranks. Field arrays are those of the first part that has any.
+/// Joins the parts of a body from several ranks. The field arrays are those of the first part that
+/// has any.
 vtkSmartPointer<vtkPolyData> joinParts(vtkCompositeDataSet* parts)
 {
   vtkNew<vtkAppendPolyData> append;

@@ -17,31 +17,32 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// A response of a body; the client knows these properties without the data.
+/// A response of a body. The client knows these properties without fetching the data.
 struct StoredResponse
 {
   std::string name; ///< prefix of the response arrays
-  std::string tool; ///< tool of the response, for example "sphere:6.35"; "" if unknown
+  std::string tool; ///< tool of the response, such as "sphere:6.35"; "" if unknown
 };
 
 /// The part of the pipeline that is used for a live touch.
 struct LiveTouchSource
 {
-  pqOutputPort* body = nullptr;      ///< the output with the body; null: see obstacle
+  /// The output with the body; if null, `obstacle` contains the reason.
+  pqOutputPort* body = nullptr;
   pqPipelineSource* touch = nullptr; ///< the source *Touch* whose handle defines the tip, or null
   std::vector<StoredResponse> responses;
-  QString obstacle; ///< the reason as text why no live touch is possible; "" if it is possible
+  QString obstacle; ///< reason why no live touch is possible; "" if it is possible
 };
 
-/// Finds the body of the active source. This is the output of the source or, for a source *Touch*,
-/// its input, since its output is dented.
+/// Finds the body for the active source. The body is the output of the source. For a source *Touch*
+/// the body is its input, because its output is dented.
 LiveTouchSource findLiveTouchSource(pqOutputPort* active);
 
-/// Gets the data of the body to the client; waits for the server. With several ranks of the server
-/// all parts are joined. Returns null, and an error, if there are no data.
+/// Fetches the data of the body to the client and waits for the server. If the server has several
+/// ranks, their parts are joined. If there are no data, returns null and sets `error`.
 vtkSmartPointer<vtkPolyData> fetchBody(pqOutputPort* body, QString& error);
 
-/// Reads the handle of a source *Touch*, also during a drag that is not applied yet.
+/// Reads the handle of a source *Touch*, including a drag that is not applied yet.
 TouchHandle readTouchHandle(pqPipelineSource* touch);
 } // namespace palpate
 

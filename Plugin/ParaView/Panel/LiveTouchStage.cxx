@@ -17,9 +17,9 @@ namespace palpate
 namespace
 {
 constexpr double ToolShare = 0.15; // length of the tool as a fraction of the body's size
-// Length of the arrow of the largest force as a fraction of the body's size.
+// Length of the arrow of the largest force, as a fraction of the body's size.
 constexpr double ArrowShare = 0.5;
-constexpr double SmallestChange = 1e-3; // mm and N: smaller changes are not visible
+constexpr double SmallestChange = 1e-3; // smallest visible change, mm and N
 
 vtkRenderer* rendererOf(pqRenderView* view)
 {
@@ -134,7 +134,7 @@ void LiveTouchStage::showHandle(const Eigen::Vector3d& position)
   this->Widget->SetCurrentRenderer(renderer);
   this->Widget->SetInteractor(this->View->getRenderViewProxy()->GetInteractor());
   this->Cross->SetRenderer(renderer);
-  this->Cross->SetHandleSize(30.0); // pixels
+  this->Cross->SetHandleSize(30.0); // size of the handle, pixels
   this->Cross->SetWorldPosition(at);
   this->Widget->SetEnabled(1);
   this->Released = false;

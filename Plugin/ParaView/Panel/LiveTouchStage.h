@@ -17,9 +17,9 @@ namespace palpate
 class LiveTouchSession;
 
 /**
- * Tool, force arrow and, if needed, a handle in a view of ParaView. The client draws them over the
- * server's picture, in the same way as ParaView's own widgets. They are not part of the pipeline or
- * of a state file.
+ * The tool, the force arrow and, if needed, a handle in a view of ParaView. The client draws these
+ * objects over the server's picture, as it draws ParaView's own widgets. They are part of neither
+ * the pipeline nor a state file.
  */
 class LiveTouchStage
 {
@@ -29,18 +29,18 @@ public:
   LiveTouchStage(const LiveTouchStage&) = delete;
   LiveTouchStage& operator=(const LiveTouchStage&) = delete;
 
-  /// Enters a view, and leaves the previous one.
+  /// Adds the objects to a view, and removes them from the previous one.
   void enter(pqRenderView* view);
   void leave();
   pqRenderView* view() const { return this->View; }
 
-  /// Fits tool and arrow to the size of the body, and shows the tool above its place.
+  /// Fits tool and arrow to the size of the body, and shows the tool above its target.
   void prepare(LiveTouchSession& touch);
-  /// Moves tool and arrow to the newest tick. Returns false if they have not moved visibly.
+  /// Moves tool and arrow to the newest tick. Returns false if the movement is not visible.
   bool show(LiveTouchSession& touch);
 
   ///@{
-  /// The stage's own handle, which the user drags. On release it jumps to the surface.
+  /// The handle of this class, which the user drags. When it is released, it jumps to the surface.
   void showHandle(const Eigen::Vector3d& position);
   bool hasHandle() const;
   Eigen::Vector3d handle() const;
@@ -56,7 +56,7 @@ private:
   vtkNew<vtkPointHandleRepresentation3D> Cross;
   bool Released = false;
   bool ShowsNothing = true;
-  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< tip as shown
+  Eigen::Vector3d Tip = Eigen::Vector3d::Zero(); ///< position of the tip in the present picture
   Eigen::Vector3d Force = Eigen::Vector3d::Zero();
   Eigen::Vector3d Applied = Eigen::Vector3d::Zero();
 };

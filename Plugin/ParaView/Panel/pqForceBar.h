@@ -5,9 +5,9 @@
 #include <QWidget>
 
 /**
- * A force as a bar, N. The applied force is drawn solid. The ideal force, if it differs, is drawn
- * as an outline, and the largest force of the device as a red mark. The bar ends at the full scale;
- * a mark beyond the scale is not drawn.
+ * A widget that shows a force (N) as a bar. The applied force is a filled bar. The ideal force is
+ * an outline if it differs, and the largest force of the device is a red mark. The bar ends at the
+ * full scale; a mark beyond the full scale is not drawn.
  */
 class pqForceBar : public QWidget
 {
@@ -20,7 +20,7 @@ public:
 
   double force() const { return this->Applied; }
   double limit() const { return this->Limit; }
-  /// Sets the length of the bar and the position of the mark; N, > 0.
+  /// Sets the force (N, > 0) at the end of the bar and the force at the mark.
   void setScale(double fullScale, double limit);
   void setForce(double applied, double ideal);
 

@@ -26,9 +26,10 @@
 
 namespace
 {
-constexpr int FrameTime = 16;    // ms
-constexpr int NumbersTime = 100; // ms; numbers that change faster cannot be read
-constexpr int RateTime = 1000;   // ms
+constexpr int FrameTime = 16; // time between two frames, ms
+// Time between two updates of the numbers, ms; numbers that change faster cannot be read.
+constexpr int NumbersTime = 100;
+constexpr int RateTime = 1000; // time between two measurements of the tick rate, ms
 } // namespace
 
 pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
@@ -42,7 +43,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   this->Form = new palpate::LiveTouchForm(contents);
   scroll->setWidget(contents);
   this->setWidget(scroll);
-  this->hide(); // hidden until the user shows it by the menu View
+  this->hide(); // hidden until the user opens the panel from the menu View
 
   this->Frame.setInterval(FrameTime);
   QObject::connect(&this->Frame, &QTimer::timeout, this, &pqLiveTouchPanel::frame);
@@ -61,7 +62,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
   QObject::connect(
     model, &pqServerManagerModel::dataUpdated, this, &pqLiveTouchPanel::onDataUpdated);
   QObject::connect(model, &pqServerManagerModel::modifiedStateChanged, this,
-    &pqLiveTouchPanel::showSource); // called on the first Apply
+    &pqLiveTouchPanel::showSource); // this is called on the first Apply of a source
   QObject::connect(
     model, &pqServerManagerModel::preSourceRemoved, this, &pqLiveTouchPanel::onSourceGoes);
   QObject::connect(
@@ -76,7 +77,7 @@ pqLiveTouchPanel::pqLiveTouchPanel(QWidget* parent)
 
 pqLiveTouchPanel::~pqLiveTouchPanel()
 {
-  // At the end of the program, source and view may no longer exist.
+  // When the program ends, source and view may no longer exist.
   this->Touch.stop();
   delete this->Form;
 }
@@ -101,7 +102,8 @@ void pqLiveTouchPanel::showSource()
 {
   if (!this->isIdle() || !this->isVisible())
   {
-    // A running session keeps the body of its Start, and a hidden panel does not query the server.
+    // A running session continues with the body of its Start, and a hidden panel does not query the
+    // server.
     return;
   }
   const auto source = palpate::findLiveTouchSource(pqActiveObjects::instance().activePort());
@@ -177,7 +179,7 @@ void pqLiveTouchPanel::fail(const QString& error)
 
 void pqLiveTouchPanel::stop()
 {
-  this->Touch.stop(); // stops first, so that there is no force
+  this->Touch.stop(); // the force must end before the body is removed
   this->Frame.stop();
   if (!this->Body)
   {
@@ -192,7 +194,8 @@ void pqLiveTouchPanel::stop()
     view->render();
   }
   this->Form->showRest(this->Touch, this->CanStart, this->Fault);
-  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource); // runs after the source is removed
+  // Runs after the removal of the source.
+  QTimer::singleShot(0, this, &pqLiveTouchPanel::showSource);
 }
 
 palpate::TouchHandle pqLiveTouchPanel::readHandle() const
@@ -215,7 +218,7 @@ void pqLiveTouchPanel::frame()
   {
     this->onSessionChanged();
   }
-  // If rendering takes long, at least half of the time remains for the user's input.
+  // If rendering is slow, at least half of the time remains for the user's input.
   if (this->Touch.state() != palpate::LiveTouchSession::State::Touching ||
     this->Rest.elapsed() < this->RenderTime)
   {
@@ -296,7 +299,7 @@ void pqLiveTouchPanel::onDataUpdated(pqPipelineSource* source)
   }
   else if (!this->Fetching && source == this->Body->getSource())
   {
-    // Delayed, since the pipeline is still executing.
+    // Delayed, because the pipeline is still executing.
     QTimer::singleShot(0, this, &pqLiveTouchPanel::takeBody);
   }
 }

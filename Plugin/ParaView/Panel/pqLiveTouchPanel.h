@@ -16,8 +16,8 @@ class pqServer;
 class pqView;
 
 /**
- * The dock *Live Touch*: the body of the active source under a haptic device. A servo thread
- * computes the force, and the active render view shows it.
+ * The dock *Live Touch*, in which a haptic device touches the body of the active source. A servo
+ * thread computes the force, and the active render view shows it.
  *
  * The panel connects widgets (LiveTouchForm), session (LiveTouchSession), pipeline
  * (LiveTouchSource) and view (LiveTouchStage). While a session runs, a timer reads the newest tick
@@ -25,9 +25,10 @@ class pqView;
  * remains for the user's input. The panel waits neither for the servo thread nor for a preparation;
  * it waits only for data of a remote server.
  *
- * The session ends, with no force on the device, when the dock is closed; before its source, view
- * or server is removed; before a state is loaded; and when ParaView quits. The session keeps the
- * body, view and handle of its Start; new data of the body replace the old data.
+ * The session ends, and with it the force of the device, when the dock is closed, before its
+ * source, view or server is removed, before a state is loaded, and when ParaView quits. Body, view
+ * and handle of a session do not change after its Start, but new data of the body replace the old
+ * data.
  */
 class pqLiveTouchPanel : public QDockWidget
 {
@@ -62,9 +63,10 @@ private:
   void showNumbers();
   bool isIdle() const { return this->Touch.state() == palpate::LiveTouchSession::State::Idle; }
 
-  palpate::LiveTouchForm* Form; ///< owned, together with its widgets
+  palpate::LiveTouchForm* Form; ///< owned by this object, together with the widgets of the form
   palpate::LiveTouchStage Stage;
-  palpate::LiveTouchSession Touch;    ///< declared after the stage, so that it is destroyed first
+  /// Declared after the stage, so that it is destroyed before the stage.
+  palpate::LiveTouchSession Touch;
   pqOutputPort* Body = nullptr;       ///< the body in use; null while idle
   pqPipelineSource* Leader = nullptr; ///< the source whose handle defines the tip, or null
   bool CanStart = false;
@@ -74,10 +76,10 @@ private:
   QElapsedTimer Rendering; ///< time since the last rendering began
   QElapsedTimer Rest;      ///< time since the last rendering ended
   qint64 RenderTime = 0;   ///< duration of the last rendering, ms
-  QElapsedTimer Shown;     ///< time since the numbers were shown
-  QElapsedTimer Measured;  ///< time since the ticks were counted
+  QElapsedTimer Shown;     ///< time since the last update of the numbers
+  QElapsedTimer Measured;  ///< time since the last measurement of the tick rate
   vtkIdType MeasuredTicks = 0;
-  double Rate = 0.0; ///< ticks per second
+  double Rate = 0.0; ///< measured number of ticks per second
 };
 
 #endif

@@ -17,8 +17,8 @@ namespace palpate
 {
 void BodyInput::admit(vtkInformation* port)
 {
-  // The order matters: a composite must be passed as a whole. Other data are passed to
-  // vtkBodySurface, which reports them.
+  // The order of the types matters, because a composite must be passed as a whole. Data of other
+  // types are passed to vtkBodySurface, which reports an error.
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The body input of a proxy: converts any data of ParaView for a filter that needs triangles in mm.
+ * The body input of a proxy. It converts any data of ParaView for a filter that needs triangles in
+ * mm.
  *
- * A thin subclass of the filter gets this member from palpateBodyInputMacro. The subclass
- * declares that the port accepts any data, and its RequestData runs the filter's own RequestData on
- * replaced inputs. For data that are not a body, vtkBodySurface reports an error that names the
- * filter to apply first.
+ * A thin subclass of the filter gets this member from palpateBodyInputMacro. The subclass declares
+ * that the port accepts any data, and its RequestData runs the filter's own RequestData on replaced
+ * inputs. For data that are not a body, vtkBodySurface reports an error that names the filter to
+ * apply first.
  */
 #ifndef palpate_BodyInput_h
 #define palpate_BodyInput_h
@@ -26,11 +27,12 @@ namespace palpate
 class BodyInput
 {
 public:
-  /// For FillInputPortInformation: accepts any data, composites as a whole.
+  /// To be called in FillInputPortInformation. Makes the port accept any data, with composites
+  /// passed as a whole.
   static void admit(vtkInformation* port);
 
-  /// To be called in RequestUpdateExtent after that of the filter: volumes in pieces need ghost
-  /// cells.
+  /// To be called in RequestUpdateExtent after the function of the filter, because volumes that
+  /// consist of pieces need ghost cells.
   static void askForGhosts(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
   /// The filter that converts the body, with the settings of the user. It is not an input of the
@@ -38,7 +40,7 @@ public:
   vtkBodySurface* surface() { return this->Surface; }
 
   /// Returns the inputs of `ports` ports, with the data of the first one replaced by triangles in
-  /// mm. On an error returns null, on all ranks alike. The result is cached for the same data, unit
+  /// mm. After an error, returns null on all ranks. The result is cached for the same data, unit
   /// and rank.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports);
 
@@ -47,7 +49,8 @@ private:
 
   vtkNew<vtkBodySurface> Surface;
   vtkSmartPointer<vtkPolyData> Kept;
-  vtkMTimeType KeptFrom = 0; // modification times of the data and of the surface's settings
+  // Modification times of the data and of the settings for which the result was computed.
+  vtkMTimeType KeptFrom = 0;
   vtkMTimeType KeptBy = 0;
   vtkSmartPointer<vtkInformationVector> First;
   std::vector<vtkInformationVector*> Inputs;
@@ -55,8 +58,8 @@ private:
 } // namespace palpate
 
 /**
- * Makes a filter accept any surface or volume, composite or not, in any unit of length (0 mm, the
- * default, 1 cm, 2 m). The macro must be used at the end of the subclass.
+ * Makes a filter accept any surface or volume, composite or not, in any unit of length. The unit is
+ * 0 for mm (the default), 1 for cm and 2 for m. The macro must be used at the end of the subclass.
  */
 #define palpateBodyInputMacro()                                                                    \
 public:                                                                                            \

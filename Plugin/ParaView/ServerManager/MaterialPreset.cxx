@@ -15,8 +15,9 @@ struct Published
 };
 
 constexpr std::array<Published, 9> Materials = { {
-  { 0.1, 0.45 }, // Custom: not used
-  // Mahvash and Hayward 2002, section 4: E* = 3.45 MPa for a rubber, so E = 3.45 (1 - 0.5^2).
+  { 0.1, 0.45 }, // values for Custom, not used
+  // Mahvash and Hayward 2002, section 4: E* = 3.45 MPa for a rubber, therefore E = 3.45 (1 - 0.5^2)
+  // MPa.
   { 2.5875, 0.5 },
   // Johnston et al. 2014, tension: 1.32 MPa if cured at 25 degrees C, 2.97 MPa at 200 degrees C.
   { 1.32, 0.5 },

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Named materials: Young's modulus and Poisson's ratio as published.
+ * Named materials with published values of Young's modulus and Poisson's ratio.
  *
- * The list is the enumeration "Material" of ToolContactResponse and ContactRegime, in its order.
- * The help there names author, year and method of measurement. Published values of a soft tissue
- * differ by a factor of two and more, with the person, the place, the strain and the method: a
- * preset is only a starting value. If a shear modulus G was published, E = 3 G, which assumes
- * Poisson's ratio 0.5.
+ * The list has the order of the enumeration "Material" of ToolContactResponse and ContactRegime.
+ * The help of the enumeration names author, year and method of measurement. Published values of a
+ * soft tissue differ by a factor of two and more, depending on the person, the location, the strain
+ * and the method. Therefore a preset is only a starting value. If a shear modulus G was published,
+ * E = 3 G is used, which assumes a Poisson's ratio of 0.5.
  */
 #ifndef palpate_MaterialPreset_h
 #define palpate_MaterialPreset_h
@@ -19,15 +19,15 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// Chooses a material, from 0 (Custom) to count() - 1; other values are ignored.
+  /// Chooses a material by its index, from 0 (Custom) to count() - 1. Other indices are ignored.
   void choose(int material);
   int chosen() const { return this->Chosen; }
 
-  /// The user's values, which are used for Custom.
+  /// Values of the user, which apply to Custom.
   double youngsModulus = 0.1; // MPa
   double poissonRatio = 0.45;
 
-  /// The value in use, of the material or of the user.
+  /// The value in use, either of the material or of the user.
   double youngsModulusInForce() const;
   double poissonRatioInForce() const;
 
@@ -37,8 +37,9 @@ private:
 } // namespace palpate
 
 /**
- * Adds a property Material to a filter's subclass; used at the end of the class. The named material
- * replaces YoungsModulus and PoissonRatio, whose values are kept for Custom.
+ * Adds a property Material to the subclass of a filter. The named material replaces YoungsModulus
+ * and PoissonRatio, whose values are kept for Custom. The macro must be used at the end of the
+ * class.
  */
 #define palpateMaterialPresetMacro()                                                               \
 public:                                                                                            \

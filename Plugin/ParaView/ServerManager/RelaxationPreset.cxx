@@ -10,15 +10,15 @@ using Branches = std::vector<std::array<double, 2>>;
 const std::array<Branches, 4>& relaxations()
 {
   static const std::array<Branches, 4> Published = { {
-    {}, // Custom: not used
+    {}, // no branches for Custom, not used
     // Wang et al. 2015, PLoS ONE 10(3):e0120897, mouse skin in compression: residual fraction 0.28
-    // +- 0.13, so p = 0.72/0.28, and 0.19 +- 0.10 s.
+    // +- 0.13, therefore p = 0.72/0.28, and time 0.19 +- 0.10 s.
     { { 2.57, 0.19 } },
     // Zheng and Mak 1999, J. Biomech. Eng. 121:330, indentation of limbs, quasi-linear: alpha 0.029
-    // to 0.277, so p = alpha/(1 - alpha) is 0.03 to 0.38, and 0.05 to 8.93 s. The values here are
-    // in the middle of both ranges.
+    // to 0.277, therefore p = alpha/(1 - alpha) is 0.03 to 0.38, and time 0.05 to 8.93 s. The
+    // values here are in the middle of both ranges.
     { { 0.15, 1.0 } },
-    // An assumption, not published: it gives loops as narrow as in Mahvash and Hayward 2002.
+    // An assumption, not a published value. The loops are as narrow as in Mahvash and Hayward 2002.
     { { 0.05, 0.1 }, { 0.05, 3.0 } },
   } };
   return Published;

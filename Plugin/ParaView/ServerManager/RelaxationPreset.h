@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Named relaxations, as published, to combine with the moduli of MaterialPreset.
+ * Named relaxations with published values, for use with the moduli of MaterialPreset.
  *
- * The list is the enumeration "Relaxation" of ToolContactResponse, in its order. The help there
- * names author and year. Published values for a tissue differ more than its modulus.
+ * The list has the order of the enumeration "Relaxation" of ToolContactResponse. The help of the
+ * enumeration names author and year. The published relaxations of a tissue differ more than its
+ * published moduli.
  */
 #ifndef palpate_RelaxationPreset_h
 #define palpate_RelaxationPreset_h
@@ -19,14 +20,14 @@ public:
   static constexpr int Custom = 0;
   static int count();
 
-  /// Chooses a relaxation, from 0 (Custom) to count() - 1; other values are ignored.
+  /// Chooses a relaxation by its index, from 0 (Custom) to count() - 1. Other indices are ignored.
   void choose(int relaxation);
   int chosen() const { return this->Chosen; }
 
-  /// The user's values, which are used for Custom: strength and time (s) of each branch.
+  /// Values of the user, which apply to Custom: strength and time (s) of each branch.
   std::vector<std::array<double, 2>> own;
 
-  /// The values in use.
+  /// The branches in use, either of the relaxation or of the user.
   std::vector<std::array<double, 2>> inForce() const;
 
 private:
@@ -34,8 +35,8 @@ private:
 };
 } // namespace palpate
 
-/// Adds a property Relaxation to a filter's subclass; used at the end of the class. The named
-/// relaxation replaces the branches of the user, which are kept for Custom.
+/// Adds a property Relaxation to the subclass of a filter. The named relaxation replaces the
+/// branches of the user, which are kept for Custom. The macro must be used at the end of the class.
 #define palpateRelaxationPresetMacro()                                                             \
 public:                                                                                            \
   void SetRelaxation(int relaxation)                                                               \

@@ -10,8 +10,8 @@ class vtkSMProxy;
 
 namespace palpate
 {
-/// Returns the present view of a body in a render view; for any other proxy, or null, the default
-/// view. Only the client can call it.
+/// Returns the present view of a body in a render view. For null or any other proxy, returns the
+/// default view. Only the client can call this function.
 PALPATESERVERMANAGER_EXPORT Sight sightOf(vtkSMProxy* view);
 } // namespace palpate
 

@@ -54,7 +54,7 @@ void scaleImage(vtkImageData* image, int unit)
   image->SetSpacing(scale * spacing[0], scale * spacing[1], scale * spacing[2]);
 }
 
-/// Converts the points of a body to mm. The body must be a copy.
+/// Converts the points of a body to mm in place. The body must be a copy.
 void scalePoints(vtkPointSet* body, int unit)
 {
   const double scale = millimetresOf(unit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The volume input of a proxy: converts any data of ParaView for a filter that needs one
+ * The volume input of a proxy. It converts any data of ParaView for a filter that needs one
  * vtkUnstructuredGrid in mm. A thin subclass of the filter gets this member from
  * palpateVolumeInputMacro; see BodyInput.h.
  */
@@ -22,17 +22,17 @@ namespace palpate
 class VolumeInput
 {
 public:
-  /// The unit of the input's coordinates: 0 mm, 1 cm, 2 m.
+  /// The unit of the input's coordinates: 0 for mm, 1 for cm, 2 for m.
   int LengthUnit = 0;
 
-  /// Returns the converted inputs of up to three ports: on the first port one mesh in mm (blocks
-  /// and partitions are joined where their points coincide exactly), on the others a surface, image
-  /// or mesh in mm. Returns null after an error, which sets `fault`. The same objects are returned
-  /// for the same data and unit.
+  /// Returns the converted inputs of up to three ports. The first port has one mesh in mm, in which
+  /// blocks and partitions are joined where their points coincide exactly. The other ports have a
+  /// surface, image or mesh in mm. Returns null after an error, which sets `fault`. The same
+  /// objects are returned for the same data and unit.
   vtkInformationVector** replace(vtkInformationVector** inputs, int ports, std::string& fault);
 
 private:
-  /// The data of another port, in mm.
+  /// The converted data of a port other than the first one, in mm.
   struct Other
   {
     vtkSmartPointer<vtkDataObject> Made;

@@ -24,7 +24,7 @@ void vtkForceChartRepresentation::SetAbscissa(const char* name)
   }
 }
 
-/// Sets a title unless the user has set another one.
+/// Sets the title of an axis unless the user has set another title.
 void vtkForceChartRepresentation::TitleAxis(int axis, const std::string& title, std::string& given)
 {
   vtkAxis* shown = this->GetChart()->GetAxis(axis);
@@ -49,8 +49,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
   const std::string abscissa = first ? table->GetColumnName(0) : this->Abscissa;
   this->SetXAxisSeriesName(abscissa.c_str());
   this->Superclass::PrepareForRendering();
-  if (table->GetNumberOfRows() <
-    2) // a line of one point cannot be drawn; a history begins with one point
+  if (table->GetNumberOfRows() < 2) // a line needs two points, and a history begins with one point
   {
     vtkChartXY* chart = this->GetChart();
     for (vtkIdType i = 0; i < chart->GetNumberOfPlots(); ++i)
@@ -63,7 +62,7 @@ void vtkForceChartRepresentation::PrepareForRendering()
   }
 }
 
-/// Styles the bounds of a force by its error (vtkResponseCurves.h): thin lines in the colour of the
+/// Styles the error bounds of a force (vtkResponseCurves.h) as thin lines in the colour of the
 /// force, without an entry in the legend.
 void vtkForceChartRepresentation::StyleBands()
 {
@@ -94,7 +93,7 @@ void vtkForceChartRepresentation::StyleBands()
   }
 }
 
-/// Sets the titles again before each rendering, since the view may have cleared them.
+/// Sets the titles again before each rendering, because the view may have cleared them.
 int vtkForceChartRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {

@@ -3,11 +3,11 @@
  * @class vtkForceChartRepresentation
  * @brief lines in ParaView's chart, over the table's first column and with titles on the axes
  *
- * It works as vtkXYChartRepresentation, with two exceptions. The abscissa is a column given by its
- * name. The name `First column` (default) means the first column of the table at the time of
- * drawing, so that the abscissa follows the filter. If the view leaves the titles of the bottom and
- * left axes empty, they become the name of the abscissa and `Force (N)`. Titles set in the view are
- * kept.
+ * The class differs from vtkXYChartRepresentation in two ways. First, the abscissa is a column that
+ * is given by its name. The default name `First column` means the first column of the table at the
+ * time of drawing, so that the abscissa follows changes of the filter. Second, the axes get titles.
+ * If the view leaves the titles of the bottom and left axes empty, they become the name of the
+ * abscissa and `Force (N)`. Titles that the user has set in the view do not change.
  */
 #ifndef vtkForceChartRepresentation_h
 #define vtkForceChartRepresentation_h
@@ -23,11 +23,11 @@ public:
   static vtkForceChartRepresentation* New();
   vtkTypeMacro(vtkForceChartRepresentation, vtkXYChartRepresentation);
 
-  /** Name of the Abscissa that means the first column. */
+  /** The name that means the first column of the table. */
   static const char* GetFirstColumn() { return "First column"; }
 
   ///@{
-  /** The column of the horizontal axis. Default `First column`. */
+  /** Name of the column for the horizontal axis. Default `First column`. */
   void SetAbscissa(const char* name);
   const char* GetAbscissa() { return this->Abscissa.c_str(); }
   ///@}
@@ -47,7 +47,7 @@ private:
   void TitleAxis(int axis, const std::string& title, std::string& given);
 
   std::string Abscissa = GetFirstColumn();
-  std::string BottomTitle; ///< title set by this object
+  std::string BottomTitle; ///< the title that this object has set
   std::string LeftTitle;
 };
 

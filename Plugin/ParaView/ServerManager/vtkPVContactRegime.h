@@ -3,8 +3,8 @@
  * @class vtkPVContactRegime
  * @brief the regime of a named material
  *
- * A Material by name replaces YoungsModulus and PoissonRatio, whose values are kept for Custom.
- * Arrays per point take precedence.
+ * A named material replaces YoungsModulus and PoissonRatio, whose values are kept for Custom. Point
+ * arrays take precedence over both.
  */
 #ifndef vtkPVContactRegime_h
 #define vtkPVContactRegime_h

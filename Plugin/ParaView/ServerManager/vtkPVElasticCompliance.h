@@ -3,10 +3,10 @@
  * @class vtkPVElasticCompliance
  * @brief the compliance of any volume
  *
- * The filter in ParaView's menu: its body may be any volume mesh, in any unit of length. Blocks and
- * partitions are joined where their points coincide exactly. For a surface, it reports an error
- * that names Voxel Body. Settings and results are those of the superclass. All lengths except the
- * input's coordinates are in mm.
+ * The class is the filter in ParaView's menu. Its body may be any volume mesh, in any unit of
+ * length. Blocks and partitions are joined where their points coincide exactly. For a surface, the
+ * filter reports an error that names the filter Voxel Body. Settings and results are those of the
+ * superclass. All lengths except the input's coordinates are in mm.
  */
 #ifndef vtkPVElasticCompliance_h
 #define vtkPVElasticCompliance_h

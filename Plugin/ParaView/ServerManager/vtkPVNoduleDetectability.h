@@ -3,7 +3,7 @@
  * @class vtkPVNoduleDetectability
  * @brief detectability of nodules by the change of the force, on any volume
  *
- * The filter in ParaView's menu: its body may be any volume mesh, as that of
+ * The class is the filter in ParaView's menu. Its body may be any volume mesh, as for
  * vtkPVElasticCompliance. Settings and results are those of the superclass. All lengths except the
  * input's coordinates are in mm.
  */

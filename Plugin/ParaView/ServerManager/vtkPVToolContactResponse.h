@@ -3,11 +3,12 @@
  * @class vtkPVToolContactResponse
  * @brief responses of any body, with a named material
  *
- * The filter in ParaView's menu: its body may be any surface or volume, composite or not, in any
- * unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are those of
- * the superclass. All lengths except the input's coordinates are in mm. A Material by name replaces
- * YoungsModulus and PoissonRatio, whose values are kept for Custom; arrays per point take
- * precedence. In the same way, a Relaxation by name replaces the single relaxations.
+ * The class is the filter in ParaView's menu. Its body may be any surface or volume, composite or
+ * not, in any unit of length; vtkBodySurface converts the body to triangles in mm. Settings and
+ * results are those of the superclass. All lengths except the input's coordinates are in mm. A
+ * named material replaces YoungsModulus and PoissonRatio, whose values are kept for Custom; point
+ * arrays take precedence over both. In the same way, a named relaxation replaces the relaxation
+ * branches of the user.
  */
 #ifndef vtkPVToolContactResponse_h
 #define vtkPVToolContactResponse_h

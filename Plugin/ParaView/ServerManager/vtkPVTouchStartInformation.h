@@ -3,9 +3,10 @@
  * @class vtkPVTouchStartInformation
  * @brief the starting point of a touch on a source's output, found on the server
  *
- * The information is gathered from a source: the place that palpate::findTouchStart finds on its
- * output, for the view of the client and one response. With several ranks it is the place of the
- * first rank that finds one, since Touch does not support a body in pieces.
+ * The information is gathered from a source. It is the point that palpate::findTouchStart finds on
+ * the output of the source, for the view of the client and one response. With several ranks it is
+ * the point of the first rank that finds one, because Touch does not support a body that consists
+ * of pieces.
  */
 #ifndef vtkPVTouchStartInformation_h
 #define vtkPVTouchStartInformation_h
@@ -28,10 +29,10 @@ public:
   vtkTypeMacro(vtkPVTouchStartInformation, vtkPVInformation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Sets the output port, the response and the view. */
+  /** Sets the output port, the response and the view for the search. */
   void Ask(int port, const std::string& responseName, const palpate::Sight& sight);
 
-  /** Whether a place was found, and its position, mm. */
+  /** Whether a starting point was found. The second function returns its position, mm. */
   bool IsFound() const { return this->Found; }
   const double* GetStart() const { return this->Start; }
 

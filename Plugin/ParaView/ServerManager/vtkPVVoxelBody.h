@@ -3,9 +3,9 @@
  * @class vtkPVVoxelBody
  * @brief any body filled with hexahedra
  *
- * The filter in ParaView's menu: its body may be any surface or volume, composite or not, in any
- * unit of length; vtkBodySurface converts it to triangles in mm. Settings and results are those of
- * the superclass. All lengths except the input's coordinates are in mm.
+ * The class is the filter in ParaView's menu. Its body may be any surface or volume, composite or
+ * not, in any unit of length; vtkBodySurface converts the body to triangles in mm. Settings and
+ * results are those of the superclass. All lengths except the input's coordinates are in mm.
  */
 #ifndef vtkPVVoxelBody_h
 #define vtkPVVoxelBody_h

@@ -19,7 +19,7 @@ constexpr int NameElement = 4;
 
 bool isNone(const std::string& name)
 {
-  return name.empty() || name == "None"; // the none_string of the XML
+  return name.empty() || name == "None"; // the value of none_string in the XML
 }
 } // namespace
 
@@ -45,7 +45,7 @@ bool vtkSIOptionalArrayProperty::Push(vtkSMMessage* message, int offset)
 
 bool vtkSIOptionalArrayProperty::ReadXMLAttributes(vtkSIProxy* proxy, vtkPVXMLElement* element)
 {
-  // The superclass pushes the default, which is None.
+  // The superclass passes the default value, which is None.
   int index = 0;
   const bool read = this->Superclass::ReadXMLAttributes(proxy, element);
   if (read && element->GetScalarAttribute("default_values", &index))

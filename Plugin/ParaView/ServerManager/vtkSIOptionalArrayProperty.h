@@ -3,10 +3,10 @@
  * @class vtkSIOptionalArrayProperty
  * @brief an optional input array to process
  *
- * This class is used, by si_class in the XML, for a StringVectorProperty of five elements with the
+ * The XML selects this class by si_class for a StringVectorProperty of five elements with the
  * command SetInputArrayToProcess. ParaView would pass the choice "None" to the filter as the name
- * of an array. This class resets the index in the filter instead, as if it had never been set. An
- * empty name (None in Python) has the same effect.
+ * of an array. This class instead resets the array with this index in the filter, as if it had
+ * never been set. An empty name (None in Python) has the same effect.
  */
 #ifndef vtkSIOptionalArrayProperty_h
 #define vtkSIOptionalArrayProperty_h

@@ -3,7 +3,7 @@
  * @class vtkSMAbscissaDomain
  * @brief the possible abscissas of a chart of forces: the first column, or a column by its name
  *
- * It works as vtkSMChartSeriesListDomain, but lists the `First column` of
+ * Unlike vtkSMChartSeriesListDomain, the domain lists the `First column` of
  * vtkForceChartRepresentation before the columns, as the default.
  */
 #ifndef vtkSMAbscissaDomain_h

@@ -3,9 +3,10 @@
  * @class vtkSMForceSeriesDomain
  * @brief the columns that a chart of forces shows at first, and their style
  *
- * It works as vtkSMChartSeriesSelectionDomain, but at first only forces are shown: columns whose
- * names end with `(N)`. With default_mode="value", readings get the value of the attribute
- * `measured_value`: points instead of a line. The names of readings contain ` measured`.
+ * Unlike with vtkSMChartSeriesSelectionDomain, initially only forces are shown, which are columns
+ * whose names end with `(N)`. With default_mode="value", readings get the value of the attribute
+ * `measured_value`, for points instead of a line. Readings are columns whose names contain `
+ * measured`.
  */
 #ifndef vtkSMForceSeriesDomain_h
 #define vtkSMForceSeriesDomain_h
@@ -33,7 +34,8 @@ private:
   vtkSMForceSeriesDomain(const vtkSMForceSeriesDomain&) = delete;
   void operator=(const vtkSMForceSeriesDomain&) = delete;
 
-  std::string MeasuredValue; ///< value for readings; empty: the same value as for other columns
+  /// Value for readings; if empty, readings have the same value as other columns.
+  std::string MeasuredValue;
 };
 
 #endif

@@ -15,8 +15,8 @@
  * </Hints>
  * @endverbatim
  *
- * Look: a property with numbers. ColorMap: position, red, green, blue of each colour of the map of
- * that array. An existing map is not changed.
+ * Look sets a property to the given numbers. ColorMap sets position, red, green and blue of each
+ * colour in the colour map of the given array. An existing colour map is not changed.
  */
 #ifndef vtkSMRepresentationLook_h
 #define vtkSMRepresentationLook_h

@@ -65,7 +65,8 @@ void vtkSMResponseNameDomain::Update(vtkSMProperty*)
   auto* property = vtkSMStringVectorProperty::SafeDownCast(this->GetProperty());
   if (property && property->GetNumberOfElements() == 1)
   {
-    // The panel would reset a name that it cannot offer. A name set on purpose must be kept.
+    // The panel would reset a name that is not in its list. A name that a script has set must not
+    // be reset.
     const std::string present = text(property->GetElement(0));
     const bool written = present != text(property->GetDefaultValue(0));
     if (!present.empty() && (written || names.empty()) && !contains(names, present))

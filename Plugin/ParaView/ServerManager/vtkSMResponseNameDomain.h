@@ -8,10 +8,10 @@
  * the point arrays `<p>Range`, `<p>Normal` and either `<p>Force` and `<p>Stiffness` or
  * `<p>Coefficient`.
  *
- * The default is the name in the XML if the body has that response, otherwise the body's first
- * response. A name set by a script or a state is kept and offered even if the body does not have
- * it: the filter reports a missing response. While no response is found (the input is not computed
- * yet), the present name is the only choice.
+ * The default is the name in the XML if the body has a response of this name, otherwise the body's
+ * first response. A name that a script or a state has set is kept and offered even if the body has
+ * no such response; then the filter reports the missing response. While no response is found,
+ * because the input is not computed yet, the present name is the only choice.
  *
  * @verbatim
  * <ResponseNameDomain name="responses">

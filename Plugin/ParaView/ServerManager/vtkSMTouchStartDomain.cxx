@@ -23,7 +23,8 @@
 
 namespace
 {
-/// The response for the touch; at first the default of its domain.
+/// Returns the name of the response for the touch. Before the user chooses one, it is the default
+/// of its domain.
 std::string ResponseNameOf(vtkSMProxy* touch)
 {
   vtkSMProperty* property = touch->GetProperty("ResponseName");
@@ -65,7 +66,8 @@ int vtkSMTouchStartDomain::SetDefaultValues(vtkSMProperty* property, bool use_un
     vtkNew<vtkPVTouchStartInformation> start;
     const palpate::Sight sight = palpate::sightOf(ActiveViewOf(touch));
     start->Ask(static_cast<int>(body.GetOutputPort()), ResponseNameOf(touch), sight);
-    // A script may not have updated the source, and Touch needs the body in any case.
+    // The source is updated here, because a script may not have updated it, and Touch needs the
+    // body anyway.
     source->UpdatePipeline();
     source->GatherInformation(start);
     if (start->IsFound())

@@ -3,12 +3,12 @@
  * @class vtkSMTouchStartDomain
  * @brief bounds of a body, and a good starting point of a touch as the default
  *
- * It works as vtkSMBoundsDomain, for a DoubleVectorProperty of a position whose proxy also has a
- * property ResponseName. The default is the place of palpate::findTouchStart for the active view,
- * or for a view along -z. For a body without a response, the default is the corner of the bounds,
- * as in vtkSMBoundsDomain. The attribute `beside` moves the default to the right in the view, by
- * this fraction of the body's diagonal. Positions set by scripts, states and traces are not
- * affected.
+ * The class extends vtkSMBoundsDomain for a DoubleVectorProperty of a position whose proxy also has
+ * a property ResponseName. The default is the point that palpate::findTouchStart finds for the
+ * active view, or for a view along -z if there is no active view. For a body without a response,
+ * the default is the corner of the bounds, as in vtkSMBoundsDomain. The attribute `beside` moves
+ * the default to the right in the view, by this fraction of the body's diagonal. Positions set by
+ * scripts, states and traces are not affected.
  */
 #ifndef vtkSMTouchStartDomain_h
 #define vtkSMTouchStartDomain_h

@@ -9,9 +9,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa of the block; modulus of ball over block; -
+YOUNG, RATIO, POISSON = 1.0, 10.0, 0.45                     # MPa, block; ratio ball to block; Poisson's ratio
 SIZE, HEIGHT, CELL = 20, 18, 1.0                            # mm, bonded at the bottom
-RADIUS, TOP = 3.0, 2.0                                      # mm: radius of the ball, depth of its top
+RADIUS, TOP = 3.0, 2.0                                      # radius of the ball, depth of its top, mm
 TOOLS = ("flat:1.6", "sphere:1.6", "sphere:6.35")
 
 

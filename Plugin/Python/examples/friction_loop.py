@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sphere 1 mm deep in a plate is dragged back and forth; prints its place, the friction and the state of the contact.
+"""Drags a sphere back and forth, 1 mm deep in a plate; prints its position, the friction and the state of the contact.
 
     ./run python Plugin/Python/examples/friction_loop.py
 """

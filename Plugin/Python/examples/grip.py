@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two fingers: prints the change of each force by the other finger on a bending strip and on a half-space; draws both.
+"""Two fingers on a bending strip and on a half-space: prints how each changes the other's force, and draws both.
 
     ./run python Plugin/Python/examples/grip.py [OUTPUT.png]    (default: grip.png)
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A forehead of skin, skull and brain from a scan, as finite elements; prints a sphere's force, also by simpler laws.
+"""A forehead of skin, skull and brain from a scan, as finite elements; prints a sphere's force, also for simpler laws.
 
     ./run python Plugin/Python/examples/head_of_tissues.py      (the scan is Debian's mricron-data: Colin 27, 1 mm)
 """
@@ -57,7 +57,7 @@ solid.SetInputConnection(smooth.GetOutputPort())
 solid.SetSurfaceSpacing(4)
 solid.AddFineBall(*here, 8, 1.5)                            # fine at the contact
 solid.SetFixedFaces("x-:2,x+:2,y-:2,z-:2,z+:2")
-tissues = palpate.vtkScannedMaterial()                      # each cell has the material of the image at its place
+tissues = palpate.vtkScannedMaterial()                      # each cell has the material of the image at its position
 tissues.SetInputConnection(solid.GetOutputPort())
 tissues.SetImageData(image(numpy.where(brain, 3.0, numpy.where(inside & (grey < BONE), 2.0, 1.0))))
 for tissue in TISSUES:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slab of liver is pressed 5 mm deep at 1 mm/s and released: prints the loss of its loop, and draws the loop.
+"""Presses a slab of liver 5 mm deep at 1 mm/s and releases it; prints the energy loss of the loop, and draws the loop.
 
     ./run python Plugin/Python/examples/liver_loop.py [OUTPUT.png]    (default: liver_loop.png)
 """

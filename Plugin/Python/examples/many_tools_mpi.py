@@ -4,7 +4,7 @@
     mpiexec -np 4 pvbatch Plugin/Python/examples/many_tools_mpi.py [BODY] [OUTPUT.pvtp]
 
 PV_PLUGIN_PATH must name the folder of the plugin. Each process makes the responses of its own piece. All processes
-take part in a contact, so the numbers do not depend on the number of processes. Without mpiexec: ./run pvpython.
+take part in a contact, so that the results do not depend on the number of processes. Without mpiexec: ./run pvpython.
 """
 import sys
 from paraview import servermanager, simple

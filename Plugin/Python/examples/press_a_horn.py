@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A body of true shape with two horns: prints a sphere's force on its back and at root and tip of a horn; draws it.
+"""A body of true shape with two horns: prints a sphere's force on its back and at the root and tip of a horn; draws it.
 
     ./run python Plugin/Python/examples/press_a_horn.py [OUTPUT.png]    (default: horn.png)
 """
@@ -13,7 +13,7 @@ YOUNG, POISSON, DEPTH, TOOL = 0.1, 0.45, 1.5, "sphere:3"    # MPa and - as in vt
 
 
 def horned_surface():
-    """A ball of 25 mm radius with a flat bottom and two horns."""
+    """Returns the surface of a ball of 25 mm radius with a flat bottom and two horns."""
     axis = numpy.arange(-30, 50, 1.25)
     z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
     inside = [25 - numpy.sqrt(x**2 + y**2 + z**2)]

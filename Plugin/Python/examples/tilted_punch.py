@@ -25,7 +25,7 @@ body = palpate.response(plane, "flat:%g" % RADIUS, YOUNG, POISSON, maximum_defle
 
 
 def feel(degrees):
-    """Force (N) and torque about the middle of the end (N mm), positive if it turns the tool upright."""
+    """Returns force (N) and torque about the middle of the end (N mm), positive if it turns the tool upright."""
     sine, cosine = np.sin(np.radians(degrees)), np.cos(np.radians(degrees))
     zeros = np.zeros_like(degrees)
     axis, tips = np.stack((sine, zeros, cosine), 1), np.stack((zeros, zeros, RADIUS * sine - DEPTH), 1)

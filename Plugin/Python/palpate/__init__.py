@@ -4,9 +4,9 @@
     body = palpate.response("liver.stl", tool="sphere:6.35", young=0.05)     # a curve at each point
     forces, deflection, *rest = palpate.probe(body, tips)                    # N and mm, one row per tip
 
-Functions on numpy arrays, each with its own help: response, probe, curves, regime, measured. The package also holds
+Functions on numpy arrays, each with its own help: response, probe, curves, regime, measured. The package also contains
 every wrapped class of the pipeline (``from palpate import vtkContactTool``). ``palpate.contract`` evaluates the
-response arrays of a saved body with numpy alone. It can be imported without VTK.
+response arrays of a saved body with numpy alone, and can be imported without VTK.
 
 ``palpate.__version__`` is the version of Palpate.
 

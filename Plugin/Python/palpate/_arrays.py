@@ -32,7 +32,7 @@ def to_cells(connectivity, size):
     ends = np.arange(0, connectivity.size + 1, size, dtype=connectivity.dtype)
     flat = connectivity.reshape(-1)
     cells.SetData(to_vtk(ends), to_vtk(flat))
-    # VTK has made separate array objects in the same memory. They must keep the memory alive.
+    # VTK has made separate array objects for the same memory. These objects must keep the memory alive.
     cells.GetOffsetsArray()._numpy_reference = ends
     cells.GetConnectivityArray()._numpy_reference = flat
     return cells
@@ -43,7 +43,7 @@ def to_numpy(array):
 
 
 def reals(values, argument, shape):
-    """Returns `values` as floats of the given shape (None: any number), in the same memory if possible."""
+    """Returns `values` as floats of the given shape (None for any number), in the same memory if possible."""
     refuse_masked(values, argument)
     try:
         given = np.asarray(values)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Converts the forms in which a body may be given: see as_body."""
+"""Converts the forms in which a body may be given; as_body lists them."""
 import os
 import warnings
 
@@ -14,10 +14,10 @@ def as_body(body):
     """Returns a vtkPolyData of triangles in mm, with at least one triangle. The body may be
 
     - a vtkPolyData, or a wrapper of one (vtkmodules.numpy_interface.dataset_adapter.PolyData);
-    - another data set (a volume, blocks) except an image: its outer surface is made by vtkBodySurface;
-    - a vtkAlgorithm, or one of its output ports: its updated output is used;
-    - (points, triangles): (n, 3) coordinates and (m, 3) numbers of points, counter-clockwise seen from outside;
-    - the name of a file, in mm: .vtp, .stl, .ply, .obj, .vtk or .vtu, read by vtkBodyFileReader.
+    - another data set (a volume, blocks) except an image, whose outer surface vtkBodySurface makes;
+    - a vtkAlgorithm, or one of its output ports, whose updated output is used;
+    - (points, triangles), with (n, 3) coordinates and (m, 3) point indices, counter-clockwise seen from outside;
+    - the name of a file with coordinates in mm (.vtp, .stl, .ply, .obj, .vtk or .vtu), read by vtkBodyFileReader.
     """
     made = _any_body(body)
     if made.GetNumberOfPoints() == 0:
@@ -44,8 +44,8 @@ def _any_body(body):
 
 
 def as_labels(body):
-    """Returns a vtkImageData of labels in mm: an image, a vtkAlgorithm or its output port, or the name of a file, .nii,
-    .nii.gz, .vti or .vtk."""
+    """Returns a vtkImageData of labels in mm. The labels may be an image, a vtkAlgorithm or its output port, or the name of
+    a file .nii, .nii.gz, .vti or .vtk."""
     if isinstance(body, (str, os.PathLike)):
         body = _read(os.fspath(body))
     elif isinstance(body, (vtkAlgorithm, vtkAlgorithmOutput)):
@@ -76,7 +76,7 @@ def _from_arrays(points, triangles):
 
 
 def warn_about_size(body):
-    """Warns about a doubtful size, as the viewer does: a size of 0.3 mm is probably 0.3 m, given in metres."""
+    """Warns about a doubtful size, as the viewer does. For example, 0.3 mm are probably 0.3 m, given in metres."""
     bounds = body.GetBounds()
     longest = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
     if vtkBodySurface.IsSizeDoubtful(longest):
@@ -91,7 +91,7 @@ def _surface_of(data):
                          "palpate.vtkSkinSurface (its ContourValue is the grey level of the skin), its box by "
                          "palpate.vtkBodySurface")
     surface = vtkBodySurface()
-    surface.AskAboutSizeOff()                       # warn_about_size does this
+    surface.AskAboutSizeOff()                       # warn_about_size warns about the size
     surface.SetInputDataObject(data)
     return _filters.run(surface).GetOutput()
 
@@ -104,6 +104,6 @@ def _read(name):
     if not name.lower().endswith(tuple(extensions)):
         raise ValueError("'%s' is of unknown kind; a body may be %s" % (name, " ".join(sorted(extensions))))
     reader = vtkBodyFileReader()
-    with open(name, "rb"):                          # raises FileNotFoundError, PermissionError
+    with open(name, "rb"):                          # raises FileNotFoundError or PermissionError
         reader.SetFileName(name)
     return _filters.run(reader, RuntimeError).GetOutput()

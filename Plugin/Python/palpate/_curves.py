@@ -21,8 +21,8 @@ class Curves(NamedTuple):
 
 
 def _error(array, ranges, points, depths):
-    """Returns the error: linear in the root of the depth between samples, constant below the first sample; NaN without an
-    array."""
+    """Returns the error. Between samples it is linear in the square root of the depth; below the first sample it is
+    constant. Without an array it is NaN."""
     points, depths = np.broadcast_arrays(points, depths)
     if array is None:
         return np.full(depths.shape, np.nan)
@@ -42,9 +42,9 @@ def curves(body: Body, points: Optional[Union[int, Reals]] = None, deflection: O
     Parameters
     ----------
     body : a body with a response, as palpate.response returns it, or a saved body, "body.vtp".
-    points : numbers of points, from 0: one number, or an array of shape (p,); None: all points.
-    deflection : depths, mm, shape (d,) or one number; None: `rows` depths from 0 to the largest range of the points.
-    rows : number of depths if deflection is None, at least 2.
+    points : indices of points, as one number or an array of shape (p,); None means all points.
+    deflection : depths, mm, shape (d,) or one number; None means `rows` depths from 0 to the largest range.
+    rows : number of depths if deflection is None; at least 2.
     name : prefix of the response arrays.
 
     Returns
@@ -57,7 +57,7 @@ def curves(body: Body, points: Optional[Union[int, Reals]] = None, deflection: O
     If `points` is a single number, the arrays have one row only, shape (d,).
 
     Raises ValueError for a body without the response, or for missing points; TypeError for arguments of another type.
-    Runs in numpy by palpate.contract, on one thread; some 0.5 microseconds per value.
+    Uses palpate.contract, on one thread; a value takes about 0.5 microseconds.
     """
     body = as_body(body)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a VTK algorithm. Its errors become exceptions, its warnings become Python warnings; nothing is printed."""
+"""Runs VTK algorithms. Their errors become exceptions, their warnings become Python warnings; nothing is printed."""
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkObject
@@ -11,7 +11,7 @@ class Listener:
 
     def __init__(self, *objects):
         self._shows = vtkObject.GetGlobalWarningDisplay()
-        vtkObject.GlobalWarningDisplayOn()      # otherwise there are no events
+        vtkObject.GlobalWarningDisplayOn()      # without this, VTK sends no events
         self.errors, self.warnings = [], []
         self._observed = []
         for one in objects:
@@ -21,7 +21,7 @@ class Listener:
     @staticmethod
     def _take(texts):
         def take(caller, event, text):
-            if not caller.IsA("vtkExecutive"):      # an executive only repeats that there was an error
+            if not caller.IsA("vtkExecutive"):      # the error of an executive only repeats the error of its algorithm
                 texts.append(words(text or "what is wrong cannot be shown: its words are not UTF-8"))
         take.CallDataType = "string0"
         return take
@@ -38,10 +38,10 @@ def words(text):
 
 
 def run(algorithm, kind=ValueError, others=(), progress=None, expected=None):
-    """Updates an algorithm. Errors, also those of `others`, are raised as `kind`; warnings become Python warnings.
+    """Updates an algorithm. Its errors and those of `others` are raised as `kind`; warnings become Python warnings.
 
-    Warnings that contain the text `expected` are left out. `progress` is called with the completed fraction, 0 to 1. If it
-    raises an exception, the algorithm is aborted and the exception raised again."""
+    Warnings that contain the text `expected` are omitted. `progress` is called with the completed fraction, 0 to 1. If
+    `progress` raises an exception, the algorithm is aborted and the exception is raised again."""
     listener = Listener(algorithm, algorithm.GetExecutive(), *others)
     raised = []
 
@@ -72,7 +72,7 @@ def run(algorithm, kind=ValueError, others=(), progress=None, expected=None):
 
 
 def output_of(source):
-    """Updates a vtkAlgorithm, or one of its output ports, and returns its data."""
+    """Updates a vtkAlgorithm or one of its output ports, and returns the output data."""
     if isinstance(source, vtkAlgorithm):
         return run(source, RuntimeError).GetOutputDataObject(0)
     run(source.GetProducer(), RuntimeError)

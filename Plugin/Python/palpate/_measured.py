@@ -33,27 +33,27 @@ def measured(body: Body, files: Union[File, Sequence[File]], tool: Tool = "spher
     Parameters
     ----------
     body, tool, maximum_deflection (mm), samples, name : as in palpate.response.
-    files : the name of a file of curves, or a sequence of names, each file of one tool: .csv with the columns site, x_mm,
-        y_mm, z_mm, deflection_mm and force_N, and the head '# tool: sphere:6.35'.
-    model : "half-space", "compliance" (in series with a half-space) or "layer", if the model is known; None: the simplest
-        model that explains the readings.
+    files : the name of a file of curves, or a sequence of names. Each file contains the curves of one tool, as .csv with
+        the columns site, x_mm, y_mm, z_mm, deflection_mm and force_N, and the head '# tool: sphere:6.35'.
+    model : "half-space", "compliance" (in series with a half-space) or "layer", if the model is known. None means the
+        simplest model that explains the readings.
     poisson : Poisson's ratio of a layer, 0 to 0.5.
-    maximum_strain : largest ratio of contact radius to tip radius up to which readings are used; the Remark of a site
-        gives the number of readings that are not used.
-    reach : distance from a site up to which it determines the response, mm.
+    maximum_strain : largest ratio of contact radius to tip radius at which readings are used. The Remark of a site gives
+        the number of readings that are not used.
+    reach : largest distance of a point from a site that determines the response of the point, mm.
     registration : the name of a file that maps the frame of the curves to the frame of the body, or None.
 
     Returns
     -------
     Measured, a tuple:
         body : the body with the arrays of palpate.response;
-        sites : a dictionary for each site, with the results of vtkMeasuredContactResponse: Verdict, Model,
-            'ReducedModulus (MPa)' and others with their 95 % intervals (' from', ' to' before the unit), Remark.
+        sites : a dictionary for each site, with the results of vtkMeasuredContactResponse. The keys are Verdict, Model,
+            Remark, and 'ReducedModulus (MPa)' and others with their 95 % intervals (' from', ' to' before the unit).
 
     Raises ValueError with the message of vtkMeasuredContactResponse, also if no site can be used; TypeError for arguments
-    of another type. Refused sites give a RuntimeWarning. Runs on all threads, some 0.1 s per site.
+    of another type. Refused sites cause a RuntimeWarning. Runs on all threads; a site takes about 0.1 s.
     """
-    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # a build may lack this module
+    from .palpateMeasuredResponse import vtkMeasuredContactResponse  # the build may lack this module
 
     made = vtkMeasuredContactResponse()
     made.SetInputData(as_body(body))

@@ -39,7 +39,7 @@ class Probe(NamedTuple):
 
 
 class CoupledProbe(Tuple[np.ndarray, np.ndarray]):
-    """Contacts of tools that press at the same time: forces, stiffness. The fields of Probe are attributes of the pair."""
+    """Contacts of tools that press together: the pair (forces, stiffness), with the fields of Probe as attributes."""
 
     felt: Probe
     stiffness: np.ndarray
@@ -50,7 +50,7 @@ class CoupledProbe(Tuple[np.ndarray, np.ndarray]):
         return pair
 
     def __getattr__(self, name: str) -> np.ndarray:
-        if name == "felt":                              # during a copy, the attribute is not set yet
+        if name == "felt":                              # while the pair is being copied, the attribute is not set yet
             raise AttributeError(name)
         return getattr(self.felt, name)
 
@@ -63,7 +63,7 @@ ForceForm = Literal["paper", "normalized-direction", "energy-consistent"]
 Surface = Literal["facets", "smooth"]
 
 
-# For type checkers: coupled=True gives a CoupledProbe, all other calls a Probe.
+# For type checkers: calls with coupled=True return a CoupledProbe, all other calls a Probe.
 @overload
 def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = ..., time: Optional[Reals] = ...,
           friction: float = ..., tangential_stiffness: float = ..., friction_model: FrictionModel = ...,
@@ -91,44 +91,44 @@ def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = False, ti
     Parameters
     ----------
     body : a body with a response, as palpate.response returns it, or a saved body, "body.vtp".
-    tips : positions of the tool's tip, mm, in the frame of the body: shape (n, 3), or (3,) for one tip. float32 and
-        float64 are not copied. Or a vtkPolyData, whose polylines are paths.
-    path : False: the tips are independent; each is searched for in the whole body, without friction. True: the tips are
-        one path; the contact is followed from tip to tip, with friction.
-    time : time of each tip of a path, s, shape (n,); must not decrease. The force of a body that relaxes depends on it.
-        Without times, and for independent tips, the force is that of the slow response. Other forces do not depend on it.
-    friction : Coulomb's coefficient, >= 0; for paths only.
+    tips : positions of the tool's tip, mm, in the frame of the body, with the shape (n, 3), or (3,) for one tip. float32
+        and float64 are not copied. A vtkPolyData is also accepted; its polylines are paths.
+    path : if False, the tips are independent; the contact of each tip is searched in the whole body, without friction. If
+        True, the tips are one path; the contact is followed from tip to tip, with friction.
+    time : time of each tip of a path, s, shape (n,); must not decrease. Only the force of a body that relaxes depends on
+        the time. Without times, and for independent tips, this force is that of the slow response.
+    friction : Coulomb's coefficient of friction, >= 0; for paths only.
     tangential_stiffness : stiffness of the contact while it sticks, N/mm, > 0.
     friction_model : "elasto-plastic", "dahl" or "shape-derived" (from the response itself).
-    friction_breakaway, friction_stick_radius : for "elasto-plastic" friction: the fraction of the limit up to which the
+    friction_breakaway, friction_stick_radius : for "elasto-plastic" friction, the fraction of the limit up to which the
         contact sticks elastically, 0 to 1, and the fraction at which half of a displacement is creep.
     poisson : Poisson's ratio, 0 to 0.5, for "shape-derived" friction.
-    force_form : "paper", "normalized-direction" or "energy-consistent": how the three curves of a triangle become one
-        force.
+    force_form : "paper", "normalized-direction" or "energy-consistent", the method that combines the three curves of a
+        triangle into one force.
     surface : "facets" (the triangles) or "smooth" (a patch through the vertices and normals of each triangle).
     indentation : distance by which each tip is first moved inward, mm, so that points on the surface press.
     name : prefix of the response arrays.
     relaxation_elements : number of parallel elements of a body that relaxes, 0 (quasi-linear) to 32.
-    axis : axis of the tool, from the tip up its shaft, of any length; shape (3,) for all tips, or the shape of `tips`. A
-        response with tilts depends on it and gives torques. None: along the normal of the body.
-    coupled : True: tips of the same time press together and act on one another, 64 at most, on a body made with
+    axis : axis of the tool, from the tip up its shaft, of any length; shape (3,) for all tips, or the shape of `tips`.
+        With tilts in the response, the force depends on the axis, and there are torques. None: along the body's normal.
+    coupled : if True, up to 64 tips of the same time press together and affect one another. The body must be made with
         palpate.response(..., coupling=True). Without path these are all tips, or the tips of the same `time`. With
-        path=True `tips` has the shape (n, k, 3), k tools at n moments, and each field of the result has n rows of k.
-        Then forces, stiffness = palpate.probe(..., coupled=True).
+        path=True, `tips` has the shape (n, k, 3) for k tools at n times, and each field of the result has n rows of k.
+        The result is used as forces, stiffness = palpate.probe(..., coupled=True).
 
     Returns
     -------
-    Probe, a tuple: forces, deflection, *rest = palpate.probe(body, tips). Fields, of n tips each:
+    Probe, a tuple: forces, deflection, *rest = palpate.probe(body, tips). Its fields have one row per tip:
         forces (n, 3) : total force on the tool, N;
-        deflection (n,) : depth of the tip below its contact point, mm; 0 outside;
-        normal_force (n,) : the part along `normal`, N;
-        friction (n, 3) : the part due to friction, N;
+        deflection (n,) : depth of the tip below its contact point, mm; 0 outside the body;
+        normal_force (n,) : part of the force along `normal`, N;
+        friction (n, 3) : part of the force due to friction, N;
         normal (n, 3) : unit normal of the contact, outward; zeros without contact;
         contact_point (n, 3) : point on the undeformed body, mm;
         contact_cell (n,) : index of the triangle, -1 without contact;
         contact_state (n,) : 0 none, 1 stick, 2 slide, 3 beyond the response's range, 4 lost at an open border,
-            5 invalid (a tip that is not finite, or no response there), 6 tilted further than the response reaches (the
-            force is that of its largest tilt);
+            5 invalid (the tip is not finite, or the point has no response), 6 tilted beyond the range of the response
+            (the force is that of the largest tilt);
         memory (n,) : for a body that relaxes, the excess of normal_force over the slow response, N; otherwise 0;
         error (n,) : estimated relative error of the force (0.04 for 4 %); 0 without contact; NaN beyond the range, and if
             the response stores no error;
@@ -136,14 +136,15 @@ def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = False, ti
         tilt (n,) : angle of the axis from `normal`, degrees; 0 without an axis.
     With coupled=True a CoupledProbe, a pair with the same fields as attributes:
         forces : as above;
-        stiffness (n, k), for a path (n, k, k) : derivative of each tip's slow normal force by the depth of each of the k
-            tips that press together, N/mm: its own stiffness, and negative values for the other tips; 0 without force.
+        stiffness (n, k), for a path (n, k, k) : derivative of each tip's slow normal force with respect to the depth of
+            each of the k tips that press together, N/mm; positive for the tip itself, negative for others, 0 without
+            force.
 
     Raises ValueError with the message of vtkToolContactProbe, TypeError for arguments of another type, OSError and
-    RuntimeError for files. Defects of the mesh give a RuntimeWarning. Independent tips run on all threads of
-    vtkSMPTools, with the same bits for any number of threads, 0.5 to 1 microsecond per tip. A path runs on one thread.
-    The first call on a body builds a search structure (0.3 s for 150 thousand points). It is kept for the next call on
-    the same body.
+    RuntimeError for files. Defects of the mesh cause a RuntimeWarning. Independent tips run on all threads of
+    vtkSMPTools and take 0.5 to 1 microsecond each. The results are bit for bit the same for any number of threads. A
+    path runs on one thread. The first call on a body builds a search structure (0.3 s for 150 thousand points), which
+    is kept for the next call on the same body.
     """
     body = as_body(body)
     shape = np.shape(tips)[:-1] if coupled and path and np.ndim(tips) == 3 else None
@@ -206,7 +207,7 @@ def _as_tips(tips, path, time, axis, coupled):
             time = np.tile(_arrays.reals(time, "time (s)", (moments,)), lines)
         tips = np.ascontiguousarray(np.swapaxes(tips, 0, 1)).reshape(-1, 3)
     elif np.ndim(tips) == 1:
-        tips = np.asanyarray(tips)[None, :]             # keeps a mask, so that it can be refused
+        tips = np.asanyarray(tips)[None, :]             # asanyarray keeps a mask, so that masked values can be refused
     tips = _arrays.reals(tips, "tips", (None, 3))
     made = vtkPolyData()
     made.SetPoints(_arrays.to_points(tips))
@@ -226,10 +227,10 @@ def _choose(argument, value):
 
 
 class _prepared:
-    """The filter for a body. It keeps its search structure if the body of the last call is used again and is unchanged.
+    """The filter for a body. Its search structure is used again if the body is the unchanged body of the last call.
 
-    The filter holds the body's arrays. It is freed with the body or by the next body. No other thread can get it while
-    it is in use."""
+    The filter references the body's arrays. It is freed with the body, or when another body is used. No other thread can
+    get the filter while it is in use."""
 
     _kept: List[Any] = []
 

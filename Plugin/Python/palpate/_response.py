@@ -40,54 +40,54 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
         the axis); or a vtkContactTool.
     young : Young's modulus, MPa, > 0.
     poisson : Poisson's ratio, 0 to 0.5.
-    layer : thickness of an elastic layer on a rigid base, mm; None (or 0): a half-space.
-    base : how the layers rest on the rigid base, "bonded" or "slip" (without friction); or ("elastic", young, poisson):
-        an elastic half-space instead of the rigid base.
-    layers : up to three more layers below that layer, from top to bottom: (thickness in mm, Young's modulus in MPa,
-        Poisson's ratio), or the same with True if the layer slips below the layer above. The thickness of the first of
-        them may vary like `layer`; moduli are then constant.
-    compliance : global compliance of the body, mm/N, in series with the local dent. True: found from the shape of a closed
-        body of one material without layers, as vtkBodyCompliance does, within seconds; the next call reads it from a
-        cache. It depends on the side that holds the body: the one on which it stands best, named in the model. It is
-        left out for an open body, a body of few large triangles, and with layers, a material that varies or coupling.
-        None or False: no global compliance.
+    layer : thickness of an elastic layer on a rigid base, mm; None or 0 means a half-space.
+    base : "bonded" if the layers are bonded to the rigid base, "slip" if they slip on it without friction, or
+        ("elastic", young, poisson) for an elastic half-space instead of the rigid base.
+    layers : up to three more layers below `layer`, from top to bottom, each as (thickness in mm, Young's modulus in MPa,
+        Poisson's ratio). A fourth element True means that the layer slips below the layer above. The thickness of the
+        first of these layers may vary like `layer`; the moduli are then constant.
+    compliance : global compliance of the body, mm/N, in series with the local dent. With True, it is computed from the
+        shape of a closed body of one material without layers, as by vtkBodyCompliance, within seconds; the next call
+        reads it from a cache. It depends on the side at which the body is held. This is the side on which the body
+        stands best; the model names it. The compliance is omitted for an open body, a body of few large triangles, and
+        with layers, a material that varies or coupling. With None or False there is no global compliance.
     maximum_deflection : depth of the last sample of each curve, mm, > 0.
     samples : number of samples per curve, 2 to 256.
-    name : prefix of the arrays; several tools on one body need several names.
-    compliance_excludes_layer : True if the compliance was found without the base of the layers, so that both count.
-    curvature : whether the law includes the curvature of the body, which is found from the mesh; False: the body counts
-        as flat.
-    strain : "small", "neo-hooke", ("ogden", ALPHA) or ("demiray", B): law of the material at large strain.
-    error_tolerance : relative to the force, 0.05 for 5 %. Validity is the depth at which the estimated error exceeds it,
-        and the error at each sample is stored in NAME + Error. 0: Validity is the depth at which the first assumption of
-        the law fails, and no error is stored.
-    automatic : relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are left out of the
-        law if together they change the force by at most this fraction. "neo-hooke" is added if its tables have the tool
-        and it changes the force by more. The field array NAME + Terms lists the terms that were included and left out, with
-        the reasons. None or False: all terms as given.
-    edges : whether sharp edges have an effect in palpate.probe and in sessions (the default): a contact near an edge is
-        softer and is pushed off the body, and its force falls to zero as it leaves over the edge. False: the force drops
-        at an edge.
-    relax : relaxation of the body, up to four pairs (strength, seconds): E(t) = E (1 + sum of strength exp(-t/seconds)),
+    name : prefix of the array names; several tools on one body need several names.
+    compliance_excludes_layer : True if the compliance was computed without the base of the layers, so that both add up.
+    curvature : whether the law includes the curvature of the body, which is computed from the mesh. With False, the body
+        counts as flat.
+    strain : law of the material at large strain, "small", "neo-hooke", ("ogden", ALPHA) or ("demiray", B).
+    error_tolerance : tolerance relative to the force, 0.05 for 5 %. Validity is the depth at which the estimated error
+        exceeds the tolerance, and the error at each sample is stored in NAME + Error. With 0, Validity is the depth at
+        which the first assumption of the law fails, and no error is stored.
+    automatic : tolerance relative to the force, 0.01 (or True) for 1 %. Layers, curvature and finite strain are omitted
+        from the law if together they change the force by at most this fraction. "neo-hooke" is added if it is tabulated
+        for the tool and changes the force by more. The field array NAME + Terms lists the included and omitted terms,
+        with the reasons. With None or False, the terms are those of the other arguments.
+    edges : whether sharp edges have an effect in palpate.probe and in sessions (the default). Then a contact near an edge
+        is softer and is pushed off the body, and its force falls to zero gradually as it passes over the edge. With
+        False, the force drops to zero at the edge.
+    relax : relaxation of the body as up to four pairs (strength, seconds). E(t) = E (1 + sum of strength exp(-t/seconds)),
         where E is the slow modulus, that of `young` and of the curves. A strength may vary from point to point like
         `young`. Relaxation has an effect over time: in palpate.probe along paths with times, and in sessions.
-    compliance_relaxes : whether the `compliance` relaxes like the material; False: it is elastic.
-    coupling : whether several tools of palpate.probe(..., coupled=True) act on one another: through the half-space or the
-        layers, and, if the body has a point array 'CouplingModes' (vtkElasticCompliance) and a `compliance`, through the
-        global deformation of the body.
-    tilt : largest tilt of the tool from the body's normal, degrees; 0: the tool counts as upright. Above 0, force and
-        torque depend on the axis given to palpate.probe or to a session.
-    points : the points of the body that get a response: their indices, or booleans of shape (n,). The other points have
-        status 4 and no curve. None: all points.
-    tissues : {label: (young in MPa, poisson)} if the body is a segmentation: a vtkImageData of labels in mm, or the name of
-        a .nii, .nii.gz or .vti file. poisson is at most 0.499. Voxels with other labels are empty. The tissues are filled
-        with tetrahedra by vtkSegmentedBody and solved by vtkElasticContactResponse, which takes seconds to minutes. The
-        response is on the surface of the tetrahedra and includes the shape of the body, its tissues and how it is held.
+    compliance_relaxes : whether the `compliance` relaxes like the material. With False, it is elastic.
+    coupling : whether several tools of palpate.probe(..., coupled=True) affect one another. They do so through the
+        half-space or the layers and, if the body has a `compliance` and a point array 'CouplingModes'
+        (vtkElasticCompliance), through the global deformation of the body.
+    tilt : largest tilt of the tool from the body's normal, degrees. With 0, the tool counts as upright. Above 0, force and
+        torque depend on the axis that is passed to palpate.probe or to a session.
+    points : the points of the body that get a response, as indices or as booleans of shape (n,). The other points have
+        status 4 and no curve. None means all points.
+    tissues : {label: (young in MPa, poisson)} if the body is a segmentation, which is a vtkImageData of labels in mm or a
+        file name (.nii, .nii.gz or .vti). poisson is at most 0.499. Voxels with other labels are empty. vtkSegmentedBody
+        fills the tissues with tetrahedra, and vtkElasticContactResponse solves them, which takes seconds to minutes. The
+        response is on the surface of the tetrahedra and includes the shape of the body, its tissues and its support.
         Not with young, poisson, layer, base, layers, compliance, curvature, automatic, coupling or points.
-    fixed : with tissues: sides of the bounding box that hold the body, as "z-" or "x-:2,x+:2" (with depths in mm).
-    spacing : with tissues: length of the tetrahedra at the surface, mm; 0: chosen from the size of the body. They are
-        finer in regions that other tissues enclose.
-    progress : with tissues: called as progress(step, fraction), with a text and a number from 0 to 1.
+    fixed : with tissues, sides of the bounding box at which the body is held, as "z-" or "x-:2,x+:2" (depths in mm).
+    spacing : with tissues, length of the tetrahedra at the surface, mm. With 0, it is chosen from the size of the body.
+        Tetrahedra are smaller in regions that other tissues enclose.
+    progress : with tissues, a function that is called as progress(step, fraction), with a text and a number from 0 to 1.
 
     young, poisson, layer and compliance may each be a number, an array of one value per point, shape (n,), or the
     name of a point array of the body.
@@ -95,14 +95,15 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
     Returns
     -------
     vtkPolyData : the body with its arrays and, per point, NAME + Force (samples columns, N), Stiffness (N/mm), Normal,
-        Range (mm), Status, Validity (mm: the depth to which the law holds), Limit. See palpate.curves and palpate.probe.
-        The body contains the given arrays without a copy, as YoungsModulus, PoissonRatio, LayerThickness,
-        GlobalCompliance: do not change them afterwards.
+        Range (mm), Status, Validity (the depth to which the law holds, mm), Limit. See palpate.curves and palpate.probe.
+        The body contains the given arrays without a copy, as YoungsModulus, PoissonRatio, LayerThickness and
+        GlobalCompliance; these arrays must not be changed afterwards.
 
     Raises ValueError with the message of vtkToolContactResponse, TypeError for arguments of another type, OSError and
-    RuntimeError for files. Points without response give a RuntimeWarning, and so does a body below 5 or above 5000 mm,
-    whose coordinates may be in metres. Masked values give a ValueError. Runs on all threads of vtkSMPTools, with the
-    same bits for any number of threads; some 0.1 microseconds per point, 1 to 5 with a layer or a compliance.
+    RuntimeError for files. Points without a response cause a RuntimeWarning, and so does a body below 5 or above 5000
+    mm, whose coordinates may be in metres. Masked values cause a ValueError. Runs on all threads of vtkSMPTools. The
+    results are bit for bit the same for any number of threads. A point takes about 0.1 microseconds, with a layer or a
+    compliance 1 to 5.
     """
     if tissues is not None:
         _tissues.refuse(locals(), {name: each.default for name, each in inspect.signature(response).parameters.items()})
@@ -156,7 +157,7 @@ def _tissue_response(body, tissues, fixed, spacing, progress, tool, maximum_defl
             felt.AddRelaxation(_arrays.number(pair[0], what + ": strength"), _arrays.number(pair[1], what + ": seconds"))
         return [kind]
 
-    _tool(tool)                                         # an invalid tool is reported before the tissues take minutes
+    _tool(tool)                                         # reports an invalid tool before minutes of work
     solid = _tissues.fill(body, tissues, spacing, _text(fixed, "fixed"), progress)
     return _tissues.press(solid, setting, progress)
 
@@ -230,16 +231,16 @@ def regime(body: Body, deflection: Optional[float] = None, tool: Optional[Tool] 
     ----------
     body, young, poisson, layer, base, compliance, compliance_excludes_layer, layers : as in palpate.response. If the body
         has the response `name`, the material must be that of the response.
-    deflection : depth of the tool, mm, > 0; None: half of the response's range at each point.
-    tool : as in palpate.response; None: the tool of the response `name`.
+    deflection : depth of the tool, mm, > 0. None means half of the response's range at each point.
+    tool : as in palpate.response. None means the tool of the response `name`.
 
     Returns
     -------
     Regime, a tuple of arrays of one value per point, shape (n,):
-        index : float32, fraction of the deflection that is global: 0: local, 1: global, negative: over a near base;
+        index : float32, fraction of the deflection that is global; 0 local, 1 global, negative above a near base;
         sensitivity : float32, dlnF/dln(size of the tool) at this depth;
-        verdict : uint8, 0: the shape matters, 1: mixed, 2: a point force suffices.
-    Points without a stable contact have NaN and 0.
+        verdict : uint8; 0 the shape matters, 1 mixed, 2 a point force suffices.
+    At points without a stable contact, index and sensitivity are NaN and the verdict is 0.
 
     Raises ValueError with the message of vtkContactRegime, also if material and response disagree by more than 2 %;
     TypeError for arguments of another type.
@@ -294,7 +295,7 @@ def _set_material(algorithm, body, young, poisson, layer, base, compliance, excl
         else:
             values = _arrays.reals(value, argument, (body.GetNumberOfPoints(),))
             body.GetPointData().AddArray(_arrays.to_vtk(values, array))
-            body.GetPointData().RemoveArray(array + "Error")  # the error of the replaced array
+            body.GetPointData().RemoveArray(array + "Error")  # the error belongs to the replaced array
         algorithm.SetInputArrayToProcess(index, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     return body
 

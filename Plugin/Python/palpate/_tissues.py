@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The body of palpate.response(..., tissues=...): a segmentation, filled with tetrahedra and solved by finite elements."""
+"""The body of palpate.response(..., tissues=...): a segmentation filled with tetrahedra, solved by finite elements."""
 from __future__ import annotations
 
 from typing import Any, Callable, Mapping, Optional
@@ -24,7 +24,7 @@ def refuse(given: Mapping[str, Any], defaults: Mapping[str, Any]) -> None:
 
 
 def fill(body: Any, tissues: Mapping[float, Any], spacing: float, fixed: str, progress: Optional[Callable[[str, float], Any]]):
-    """Returns the updated filter vtkSegmentedBody."""
+    """Fills the tissues with tetrahedra. Returns the updated filter vtkSegmentedBody."""
     try:
         from .palpateSolidResponse import vtkSegmentedBody
     except ImportError as missing:
@@ -44,7 +44,7 @@ def fill(body: Any, tissues: Mapping[float, Any], spacing: float, fixed: str, pr
 
 
 def press(solid: Any, setting: Callable[[Any], Any], progress: Optional[Callable[[str, float], Any]]) -> vtkPolyData:
-    """Returns the responses on the solid. `setting` sets tool and terms, and returns other objects whose errors are raised."""
+    """Returns the responses on the solid. `setting` sets tool and terms; it returns objects whose errors are raised."""
     from .palpateSolidResponse import vtkElasticContactResponse
 
     felt = vtkElasticContactResponse()

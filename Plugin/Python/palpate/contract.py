@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
-It works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a prefix. The
-samples i = 1..n are at d_i = range (i/n)^2. Between samples F(d) = d^m r(s), with s = sqrt(d/range) and the cubic Hermite
-spline r. Below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the last tangent.
+The module works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a
+prefix. The samples i = 1..n are at d_i = range (i/n)^2. Between samples F(d) = d^m r(s), with s = sqrt(d/range) and the
+cubic Hermite spline r. Below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the
+last tangent.
 """
 import numpy as np
 
@@ -17,7 +18,7 @@ def _fetch(data, name, optional=False):
 
 
 def load(body, prefix="Response"):
-    """Reads the response arrays of a vtkPolyData, stored in either form, as a dictionary of numpy arrays.
+    """Reads the response arrays of a vtkPolyData, in either form of storage, as a dictionary of numpy arrays.
 
     Returns force and stiffness (points x n, N and N/mm), normal (points x 3), range (points, mm),
     status (points) and exponent m. Raises KeyError with the name of a missing array.
@@ -81,8 +82,8 @@ def relaxation(body, prefix="Response"):
 
 
 def coupling(body, prefix="Response"):
-    """Returns a function of two point numbers: the displacement of one point per force at the other, mm/N; None without
-    coupling. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes is for points: r is not limited by contact radii."""
+    """Returns a function of two point numbers: the displacement of one point per force at the other, mm/N. Returns None
+    without coupling. C = (n.n)+ g(r/h) / (pi r E*) + sum of modes is for points: contact radii do not limit r."""
     points, field, fetch = body.GetPointData(), body.GetFieldData(), lambda data, name: _fetch(data, prefix + name, True)
     law, modes = fetch(field, "Coupling"), fetch(points, "CouplingModes")
     modulus, thickness = fetch(points, "CouplingModulus"), fetch(points, "CouplingThickness")

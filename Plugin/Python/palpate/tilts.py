@@ -12,7 +12,7 @@ from .contract import _fetch
 
 
 def load(body, prefix="Response"):
-    """Reads the table of tilts as a dictionary; None for a response without tilts.
+    """Reads the table of tilts as a dictionary. Returns None for a response without tilts.
 
     The keys are range, largest, scale, drops (k x 2: h and dh/dtheta), nodes (laws x depths x angles x 4) and weights
     (points x laws, or None)."""
@@ -46,7 +46,7 @@ def factor(table, depth, angle, point=0):
     nodes = np.tensordot(weights, table["nodes"], 1)
     i, along_x = _cell(np.sqrt(depth / table["range"]), nodes.shape[0])
     j, along_y = _cell(angle / table["largest"], nodes.shape[1])
-    corners = nodes[i:i + 2, j:j + 2]                          # x, y, (eta, by x, by y, by both)
+    corners = nodes[i:i + 2, j:j + 2]                          # nodes in x, y: eta and its derivatives by x, y and both
     eta = float(np.einsum("ijk,ik,jk->", corners, along_x[:, [0, 1, 0, 1]], along_y[:, [0, 0, 1, 1]]))
     return eta if table["scale"] == 0.0 else eta * flat_end(table["scale"] * deepest(table, angle)[0] / depth)
 

@@ -22,7 +22,7 @@ inline ContactNames namesOf(const SettingRow& setting)
   return names;
 }
 
-/// Returns the present name of a value. `name` may be its present or an earlier name.
+/// Returns the present name of a setting's value. `name` is the present name or an earlier one.
 inline std::string presentName(const SettingRow& setting, const std::string& name)
 {
   for (const SettingWord& word : setting.words)
@@ -42,9 +42,9 @@ inline NumberRange rangeOf(const SettingRow& setting)
   return { range.what, range.least, range.most, range.includesLeast };
 }
 
-constexpr double Kilometre = 1e6; // mm: larger than any body
+constexpr double Kilometre = 1e6; // mm; larger than any body
 
-/// Range of Young's modulus, both as an option and as a setting of a trial's alternative.
+/// Range of Young's modulus, for the option and for the alternatives of a trial.
 inline constexpr NumberRange YoungsModulusRange =
   NumberRange::positive("a modulus in MPa, e.g. 0.05");
 inline constexpr NumberRange PoissonsRatioRange =

@@ -8,16 +8,18 @@
 
 namespace palpate
 {
-/// The layers under the surface. Either one layer on a rigid base, with the thickness of the scan
-/// or a constant thickness (0: a half-space), or a stack of layers.
+/// The layers under the surface. They are either one layer on a rigid base or a stack of layers.
+/// The thickness of a single layer is that of the scan or constant; a constant thickness of 0 means
+/// a half-space.
 struct LayerChoice
 {
   bool scanned = false;
-  double thickness = 0.0; ///< thickness of the layer unless it is scanned, mm
-  LayerStack stack = {};  ///< empty: no stack
-  /// For a scanned stack of two layers: the layer whose thickness is the rest of the soft tissue.
+  double thickness = 0.0; ///< thickness of the layer if it is not scanned, mm
+  LayerStack stack = {};  ///< empty if there is no stack
+  /// For a scanned stack of two layers, the index of the layer whose thickness is the remainder of
+  /// the soft tissue.
   std::size_t scannedLayer = 0;
-  bool usual = false; ///< whether the layers are skin over fat, with numbers from the literature
+  bool usual = false; ///< whether the layers are skin over fat, with values from the literature
 
   bool isStack() const { return !this->stack.layers.empty(); }
   bool operator==(const LayerChoice& other) const

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-/// Shortens a text of any length for use in a line.
+/// Shortens a long text for use in a message.
 std::string shorten(const std::string& text)
 {
   constexpr std::size_t most = 40;
@@ -41,7 +41,8 @@ std::string demandOf(const NumberRange& range, double value)
 
 std::string NumberRange::read(const std::string& text, double& number) const
 {
-  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0; // from_chars rejects "+"
+  // The sign is skipped, because from_chars rejects "+".
+  const std::size_t sign = !text.empty() && text[0] == '+' ? 1 : 0;
   const char* const end = text.data() + text.size();
   double value = 0.0;
   const auto result = std::from_chars(text.data() + sign, end, value);

@@ -7,12 +7,13 @@
 
 namespace palpate
 {
-/// The range of a number given as text: finite, and within bounds.
+/// The range of a number that is given as text. The number must be finite and within bounds.
 struct NumberRange
 {
   static constexpr double Endless = std::numeric_limits<double>::infinity();
 
-  const char* what; ///< description for the error, for example "a modulus in MPa, e.g. 0.05"
+  /// Description of the number for the error, such as "a modulus in MPa, e.g. 0.05".
+  const char* what;
   double least = -Endless;
   double most = Endless;
   bool includesLeast = true;
@@ -28,9 +29,9 @@ struct NumberRange
     return { what, least, most };
   }
 
-  /// Sets the number and returns "". If the text is not a valid number, leaves the number unchanged
-  /// and returns a line with the reason, for example "0 is not positive; a modulus in MPa, e.g.
-  /// 0.05".
+  /// Sets the number and returns "". If the text is not a valid number, returns a line with the
+  /// reason, such as "0 is not positive; a modulus in MPa, e.g. 0.05", and leaves the number
+  /// unchanged.
   std::string read(const std::string& text, double& number) const;
 };
 } // namespace palpate

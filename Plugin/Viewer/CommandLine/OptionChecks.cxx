@@ -56,8 +56,8 @@ std::string readLayer(const std::string& text, LayerChoice& layer)
 
 namespace
 {
-/// Skin over fat. The thickness of the fat is the rest of the scanned thickness. See HeadScene.cxx
-/// for the numbers.
+/// Skin over fat. The thickness of the fat is the scanned thickness minus that of the skin.
+/// HeadScene.cxx documents the sources of the values.
 LayerChoice skinOverFat()
 {
   LayerChoice choice;
@@ -68,7 +68,7 @@ LayerChoice skinOverFat()
   return choice;
 }
 
-/// Reads "MM:MPA:NU" or "MM:MPA:NU:slip".
+/// Reads a layer from "MM:MPA:NU" or "MM:MPA:NU:slip".
 std::string readStackLayer(const std::string& text, StackLayer& layer, bool& scanned)
 {
   std::vector<std::string> parts = CLI::detail::split(text, ':');
@@ -84,7 +84,7 @@ std::string readStackLayer(const std::string& text, StackLayer& layer, bool& sca
     [&] { return PoissonsRatioRange.read(parts[2], layer.poissonRatio); });
 }
 
-/// Checks the combination of the layers.
+/// Checks whether the layers can be combined. Returns "" or an error.
 std::string checkLayers(const LayerChoice& choice, std::size_t scanned)
 {
   const LayerStack& stack = choice.stack;

@@ -11,7 +11,7 @@ class App;
 
 namespace palpate
 {
-/// Adds an option for each contact setting in SettingTable that is offered on the command line.
+/// Adds an option for each entry of SettingTable that is offered on the command line.
 void addContactOptions(CLI::App& app, ContactSettings& contact);
 
 /// Adds the options of the device, the servo thread and its records.

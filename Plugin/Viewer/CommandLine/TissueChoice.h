@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// A --tissue: a label of a segmentation and its material.
+/// The value of --tissue: a label of a segmentation and the material of this label.
 struct TissueChoice
 {
   double label = 0.0;
@@ -14,7 +14,7 @@ struct TissueChoice
   double poissonRatio = 0.0;
 };
 
-/// Reads "LABEL:MPA:NU". Returns "" or the error.
+/// Reads a tissue from "LABEL:MPA:NU". Returns "" or an error.
 std::string readTissue(const std::string& text, TissueChoice& tissue);
 } // namespace palpate
 

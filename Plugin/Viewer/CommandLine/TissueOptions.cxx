@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-/// The largest Poisson's ratio of a finite element.
+/// The largest Poisson's ratio that the finite elements permit.
 constexpr double LargestTissueRatio = 0.499;
 } // namespace
 

@@ -11,11 +11,11 @@ class App;
 
 namespace palpate
 {
-/// Adds the option of a segmentation, after all options that it excludes.
+/// Adds the option --tissue. Must be called after all options that it excludes have been added.
 void addTissueOptions(CLI::App& app, ViewerOptions& options);
 
-/// Checks the tissues together, and opens the window with the map if no other output is asked for.
-/// Throws CLI::ValidationError.
+/// Checks the tissues together, and chooses the window with the map if no other output is
+/// requested. Throws CLI::ValidationError.
 void checkTissues(const CLI::App& app, ViewerOptions& options);
 } // namespace palpate
 

@@ -24,7 +24,7 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
-/// Splits the text into alternatives. A comma within the numbers of a tool is not a separator.
+/// Splits the text into alternatives. A comma between the numbers of a tool is not a separator.
 std::vector<std::string> splitChoices(const std::string& text)
 {
   std::vector<std::string> choices;

@@ -14,7 +14,7 @@ class App;
 namespace palpate
 {
 /// Adds the options of a blind comparison. `alternatives` receives the text of the alternatives,
-/// which is read after all other options.
+/// which must be read after all other options.
 void addTrialOptions(CLI::App& app, ViewerOptions& options, std::string& alternatives);
 
 /// Makes the tools of the alternatives the tools of the scene. Throws CLI::ValidationError.

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// The text after the list of options in the viewer's help: units, files, examples.
+/// The text below the list of options in the viewer's help, about units, files and examples.
 inline constexpr const char* ViewerFooter =
   R"(Units: mm, N, MPa, s. Tools: flat:R, sphere:R, paraboloid:R, cone:DEGREES (from the axis),
 truncated:R,DEGREES (R: of the flat), blunted:R,DEGREES (R: of the tip), rounded:R,EDGE, power:EXPONENT,COEFFICIENT,

@@ -15,9 +15,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestDepth = 1000.0; // mm; a press to this depth would take minutes
+constexpr double LargestDepth = 1000.0; // mm; a press to a larger depth would take minutes
 
-/// Adds the options of views that show something other than one tool over one body.
+/// Adds the options of the views that show something other than one tool on one body.
 void addViewOptions(CLI::App& app, ViewerOptions& options)
 {
   CLI::Option* compare = app.add_flag("--compare", options.compare,

@@ -32,7 +32,7 @@ void sayProgress(const char* what)
   std::fprintf(stderr, "palpate: %s\n", what);
 }
 
-/// The recorded motion over one body.
+/// The recorded motion on one body.
 struct Press
 {
   vtkSmartPointer<vtkPolyData> recording = vtkSmartPointer<vtkPolyData>::New();
@@ -61,10 +61,10 @@ std::string pressAndSlide(
   session->Step(session->GetDevice()->GetPathDuration());
   session->Stop();
   session->GetRecorder()->GetRecording(press.recording);
-  // The simulated device would limit the force to 10 N, but the comparison is about bodies, not
-  // devices.
+  // The applied force is removed, because the simulated device would limit the force to 10 N, but
+  // bodies are compared, not devices.
   press.recording->GetPointData()->RemoveArray("AppliedForce");
-  // The path is approach, press, slide ...: see vtkPressPath.
+  // The first points of the path are approach, press and slide; see vtkPressPath.
   const double slide = path->GetPointData()->GetArray("Time")->GetTuple1(2);
   press.pressed = static_cast<vtkIdType>(std::lround(slide * options.rate));
   return writeTrajectory(
@@ -76,7 +76,7 @@ std::string drawComparison(const std::string& file, const std::array<ComparedBod
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0); // gives the same pixels on every machine
+  window->SetMultiSamples(0); // without multisampling, the pixels are the same on every machine
   window->SetSize(PictureWidth, PictureHeight);
   vtkNew<vtkBodyComparison> comparison;
   comparison->SetRenderWindow(window);

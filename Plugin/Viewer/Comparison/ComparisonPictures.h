@@ -9,8 +9,8 @@
 namespace palpate
 {
 /**
- * Runs --compare without a window: the same motion over both bodies, in virtual time. Writes into
- * the output folder:
+ * Runs --compare without a window. The tools perform the same motion on both bodies, in virtual
+ * time. The function writes these files to the output folder:
  * - comparison.png: the bodies under the first tool at the end of the press, with the curves of all
  * tools and the verdicts;
  * - regime.png: λ, sensitivity and verdict over both bodies;

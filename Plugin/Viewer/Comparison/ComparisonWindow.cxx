@@ -43,7 +43,8 @@ const char* const KeySheet =
   "? or h\tthis help\n"
   "q\tquit";
 
-/// Two bodies in a window, with a session on each. Both tools are steered to the same place.
+/// Shows two bodies in a window, with a session on each body. Both tools are steered to the same
+/// point.
 class ComparisonWindow
 {
 public:
@@ -53,7 +54,8 @@ public:
   std::string run();
 
 private:
-  /// Makes the body under the mouse the body that is picked.
+  /// Makes the body of `side`, which is under the mouse, the body on which the pointer picks
+  /// points.
   void lead(std::size_t side);
   void followPointer();
   void showFrame();
@@ -80,7 +82,8 @@ ComparisonWindow::ComparisonWindow(
   : Options(options)
   , Bodies(bodies)
 {
-  // Without a graphics card, multisampling takes three times as long; FXAA takes no longer.
+  // Without a graphics card, multisampling would triple the rendering time; FXAA does not increase
+  // it.
   this->Window->SetMultiSamples(0);
   fitToScreen(this->Window);
   this->Window->SetWindowName("Palpate: global and local deformation");
@@ -94,7 +97,7 @@ ComparisonWindow::ComparisonWindow(
     session->SetRate(options.rate);
     chooseContact(options, bodies[i].scene, session);
     session->RealTimeOn();
-    session->LockMemoryOn(); // the servo loop is the purpose of this program
+    session->LockMemoryOn(); // permitted, because the servo loop is the purpose of this program
     session->GetRecorder()->RecordingOff();
   }
   this->Style->SetMaximumDepth(options.maximumDeflection);
@@ -205,7 +208,7 @@ std::string ComparisonWindow::run()
   const ViewerScene& scene = this->Bodies[0].scene;
   this->Style->HoverAt(middle, up);
   this->Comparison->ShowPlace(middle[0], middle[1], middle[2]);
-  // The colours are computed now, so that a later change is shown immediately.
+  // The colours are computed now, so that a later change of the colours is shown immediately.
   this->Comparison->SetColor(vtkBodyComparison::RegimeIndex);
   this->Comparison->SetColor(vtkBodyComparison::Displacement);
   this->Interactor->Initialize();

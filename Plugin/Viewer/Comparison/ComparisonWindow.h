@@ -9,9 +9,10 @@
 namespace palpate
 {
 /**
- * Runs --compare in a window, with a session on each body. One mouse moves both tools to the same
- * place. Keys 1 to 9 choose the tool, m the colours of the bodies, q ends. Returns when the window
- * is closed, after printing the results at the last contact. Returns "" or an error.
+ * Runs --compare in a window, with a session on each body. The mouse moves both tools to the same
+ * point. The keys 1 to 9 choose the tool, m chooses the colours of the bodies, and q closes the
+ * window. After the window is closed, the results at the last contact are printed. Returns "" or an
+ * error.
  */
 std::string runComparisonWindow(const ViewerOptions& options);
 } // namespace palpate

@@ -28,11 +28,12 @@ namespace palpate
 namespace
 {
 constexpr double PerceptibleChange = 10.0; // %, the default of vtkNoduleDetectability
-constexpr double ViewMargin = 7.0;         // mm
+constexpr double ViewMargin = 7.0;         // margin around the body in the view, mm
 constexpr std::size_t MostMaps = 3;
-constexpr double CurveOfColors = 0.5; // makes small changes distinguishable
+// Exponent of the colour scale that makes small changes distinguishable.
+constexpr double CurveOfColors = 0.5;
 
-/// The change for one tool, in per cent, as scalars of the points.
+/// Returns a body with the change of the force for one tool, in per cent, as point scalars.
 vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -49,7 +50,7 @@ vtkSmartPointer<vtkPolyData> changeOf(vtkPolyData* body, int tool)
   return shown;
 }
 
-/// The largest change for any tool, in per cent, rounded up to a round step of the legend.
+/// Returns the largest change for any tool, in per cent, rounded up to a round step of the legend.
 double largestOf(vtkPolyData* body)
 {
   vtkDataArray* change = body->GetPointData()->GetArray("ForceChange");
@@ -86,8 +87,8 @@ void addChange(MapStage& stage, vtkPolyData* shown, vtkLookupTable* colors,
   stage.addTitle(title);
 }
 
-/// Describes the change over each nodule, one line each: a short line for a picture, otherwise a
-/// long one.
+/// Describes the change above each nodule in one line per nodule. `inShort` selects short lines for
+/// a picture.
 std::string describeNodules(const ViewerScene& scene, bool inShort)
 {
   vtkPointData* data = scene.body->GetPointData();

@@ -10,10 +10,10 @@
 namespace palpate
 {
 /**
- * Runs --map for a scene with nodules: shows how much the nodules change the force of each of the
- * first three tools. The change is shown as a colour, with a line at the threshold. Writes map.png
- * in the output folder, or shows a window in which all maps turn together, until it is closed.
- * Prints the change over each nodule, and the most sensitive tool. Returns "" or an error.
+ * Runs --map for a scene with nodules: shows by how much the nodules change the force of each of
+ * the first three tools. Colours show the change, and a line shows the threshold. Writes map.png in
+ * the output folder, or shows a window, in which all maps turn together, until the window is
+ * closed. Prints the change above each nodule, and the most sensitive tool. Returns "" or an error.
  */
 std::string runDetectabilityMap(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate

@@ -31,19 +31,20 @@ namespace
 {
 constexpr double ZoomWithLegend = 0.65;
 
-/// The forces at all points, and a summary of them.
+/// A summary of the forces at all points.
 struct ForceSummary
 {
-  vtkIdType strongest = -1; ///< index of the point with the largest force away from the held part
-  double largest = 0.0;     ///< force there, N
-  double upper = 0.0;       ///< largest force at any point, the upper end of the colours, N
-  double median = 0.0;      ///< N
-  double least = 0.0;   ///< the lower end of the colours: 2 % of the points have a smaller force, N
+  vtkIdType strongest = -1; ///< index of the point, away from the held part, with the largest
+                            ///< force; -1 if there is none
+  double largest = 0.0;     ///< force at this point, N
+  double upper = 0.0;   ///< largest force at any point, N, which is the upper end of the colours
+  double median = 0.0;  ///< N
+  double least = 0.0;   ///< lower end of the colours, N; 2 % of the points have a smaller force
   double missing = 0.0; ///< fraction of the points without a force
 };
 
-/// Removes forces whose error has no bound, for example next to held points. They then have no
-/// colour and are not counted.
+/// Removes forces whose error has no bound, for example next to held points. Points without a force
+/// have no colour and are not counted.
 void removeUnbounded(vtkPolyData* mapped)
 {
   vtkDataArray* force = mapped->GetPointData()->GetArray("ForceAtDepth");
@@ -57,8 +58,9 @@ void removeUnbounded(vtkPolyData* mapped)
   }
 }
 
-/// The distance from the held part within which the support determines the force: two contact
-/// radii, mm. Without this margin, a place next to the base would often have the largest force.
+/// Returns the distance from the held part within which the support determines the force, mm. It is
+/// two contact radii. Without this margin, a point next to the base would often have the largest
+/// force.
 double supportedDistance(const ViewerScene& scene)
 {
   vtkNew<vtkContactTool> tool;
@@ -66,8 +68,8 @@ double supportedDistance(const ViewerScene& scene)
   return 2.0 * tool->GetContactRadius(scene.depth);
 }
 
-/// Returns whether each point is farther than `distance` from all held points. Returns true for all
-/// points if the body has no array of held points, or if no point is farther.
+/// For each point, whether it is farther than `distance` (mm) from all held points. The result is
+/// true for all points if the body has no array of held points, or if no point is farther.
 std::vector<bool> awayFromHeld(vtkPolyData* mapped, double distance)
 {
   const auto count = static_cast<std::size_t>(mapped->GetNumberOfPoints());
@@ -100,8 +102,8 @@ std::vector<bool> awayFromHeld(vtkPolyData* mapped, double distance)
   return isAny ? away : std::vector<bool>(count, true);
 }
 
-/// Summarises the forces. `away`: the points among which the strongest is sought. `strongest` is -1
-/// if no point has a force.
+/// Summarises the forces. `away` marks the points among which the strongest one is searched.
+/// `strongest` is -1 if no point has a force.
 ForceSummary summarise(vtkPolyData* mapped, const std::vector<bool>& away)
 {
   constexpr double LeastShare = 0.02;
@@ -160,7 +162,7 @@ std::string describe(
 
 std::string runForceMap(const ViewerOptions& options, const ViewerScene& scene)
 {
-  ResponseSet responses; // writes the files of --save and --export
+  ResponseSet responses; // for the files of --save and --export
   std::string error = prepareFirstResponse(options, scene, responses);
   if (!error.empty())
   {
@@ -191,7 +193,7 @@ std::string runForceMap(const ViewerOptions& options, const ViewerScene& scene)
   const std::string words = describe(scene, mapped, summary, distance);
   stage.addWords(words, { 0.66, 0.0, 1.0, 1.0 });
   stage.lookFrom(mapped, scene.viewFrom, scene.up);
-  // The view is narrower than high, and the legend takes a part of it.
+  // Zooms in, because the view is narrower than high and the legend covers a part of it.
   renderer->GetActiveCamera()->Zoom(ZoomWithLegend);
   std::printf("%s\n  material    %s\n  model       %s\n", words.c_str(), scene.tissues.c_str(),
     scene.modelReason.c_str());

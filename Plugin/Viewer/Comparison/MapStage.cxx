@@ -25,7 +25,7 @@ namespace palpate
 namespace
 {
 constexpr int TextSize = 17;
-// The camera's reset fits the sphere around the body, which is larger than the body.
+// Zoom of the camera. ResetCamera fits the sphere around the body, which is larger than the body.
 constexpr double Zoom = 1.25;
 constexpr double LegendShare = 0.27;
 
@@ -72,7 +72,8 @@ vtkSmartPointer<vtkPolyData> judgeBody(
 MapStage::MapStage(const std::string& name, bool onScreen)
 {
   this->Window->SetOffScreenRendering(!onScreen);
-  this->Window->SetMultiSamples(0); // gives the same pixels on every machine
+  // Without multisampling, the pixels are the same on every machine.
+  this->Window->SetMultiSamples(0);
   if (onScreen)
   {
     fitToScreen(this->Window);
@@ -95,8 +96,8 @@ vtkRenderer* MapStage::addRenderer(const Viewport& viewport)
   {
     renderer->SetActiveCamera(this->Renderers.front()->GetActiveCamera());
   }
-  // The camera is shared with bodies of other bounds, so the clipping range is set before each
-  // render.
+  // The clipping range is set before each rendering, because the camera is shared with bodies that
+  // have other bounds.
   vtkNew<vtkCallbackCommand> fit;
   fit->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkRenderer*>(caller)->ResetCameraClippingRange(); });
@@ -141,7 +142,7 @@ void MapStage::lookFrom(vtkPolyData* body, const Direction& from, const Directio
   camera->SetViewUp(up.data());
   this->Renderers.front()->ResetCamera(body->GetBounds());
   camera->Zoom(Zoom);
-  camera->SetWindowCenter(LegendShare, 0.0); // the centre of the area without the legend
+  camera->SetWindowCenter(LegendShare, 0.0); // centres the body in the area without the legend
 }
 
 std::string MapStage::show(const ViewerOptions& options)

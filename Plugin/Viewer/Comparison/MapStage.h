@@ -17,22 +17,23 @@ class vtkContactTool;
 
 namespace palpate
 {
-/// Returns the result of vtkContactRegime for a body with the material of a scene, at the depth of
-/// the scene, without the responses of the body. Returns null and an error on failure.
+/// Applies vtkContactRegime to a body with the material of a scene, at the depth of the scene. The
+/// result does not contain the responses of the body. On failure, returns null and sets `error`.
 vtkSmartPointer<vtkPolyData> judgeBody(
   const ViewerScene& scene, vtkContactTool* tool, vtkPolyData* body, std::string& error);
 
-/// A window of maps with a common camera.
+/// A window with several maps and one common camera.
 class MapStage
 {
 public:
   MapStage(const std::string& name, bool onScreen);
 
-  using Viewport = std::array<double, 4>; ///< left, bottom, right, top
+  /// Left, bottom, right and top, as fractions of the window.
+  using Viewport = std::array<double, 4>;
 
   /// Adds an empty view.
   vtkRenderer* addRenderer(const Viewport& viewport);
-  /// Adds a body coloured by a vtkRegimeMap::MapQuantity; returns its renderer.
+  /// Adds a body that is coloured by a vtkRegimeMap::MapQuantity. Returns the renderer of the body.
   vtkRenderer* addMap(vtkPolyData* judged, int quantity, const Viewport& viewport);
   /// Adds a line of text in the upper left corner of the last map.
   void addTitle(const std::string& title);
@@ -43,8 +44,8 @@ public:
 
   vtkRenderWindow* window() { return this->Window; }
 
-  /// Depending on the options, writes map.png in the output folder, or shows the window until it is
-  /// closed and then writes its --screenshot. Returns "" or an error.
+  /// Depending on the options, either writes map.png in the output folder, or shows the window
+  /// until it is closed and then writes the picture of --screenshot. Returns "" or an error.
   std::string show(const ViewerOptions& options);
 
 private:

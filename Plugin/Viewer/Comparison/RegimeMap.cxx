@@ -23,15 +23,16 @@ namespace palpate
 {
 namespace
 {
-/// Fractions of the surface, from 0 to 1: for each verdict of vtkContactRegime, and for no stable
-/// contact.
+/// Fractions of the surface, from 0 to 1, with each verdict of vtkContactRegime, and without a
+/// stable contact.
 struct Shares
 {
   std::array<double, 3> verdict{};
   double none = 0.0;
 };
 
-/// Measures the fractions. A third of each triangle's area is assigned to each of its corners.
+/// Measures the fractions by area. A third of each triangle's area is assigned to each corner of
+/// the triangle.
 Shares measureShares(vtkPolyData* judged)
 {
   vtkDataArray* index = judged->GetPointData()->GetArray("RegimeIndex");
@@ -65,7 +66,7 @@ Shares measureShares(vtkPolyData* judged)
   return shares;
 }
 
-/// Text of a range: "-0.82 to 0.01".
+/// Returns the range of a point array as text, such as "-0.82 to 0.01".
 std::string rangeOf(vtkPolyData* judged, const char* name)
 {
   std::array<double, 2> range{};

@@ -17,7 +17,8 @@ namespace palpate
 {
 namespace
 {
-/// Text of an estimate: "E* = 0.05 MPa (0.049 to 0.051)"; "" if there is no such number.
+/// Returns an estimate as text, such as "E* = 0.05 MPa (0.049 to 0.051)", or "" if the table has no
+/// such number.
 std::string estimate(vtkTable* sites, vtkIdType row, const char* symbol, const std::string& column,
   const std::string& unit)
 {
@@ -79,8 +80,8 @@ std::string describeRegistration(vtkMeasuredContactResponse* measured)
   return buffer.data();
 }
 
-/// Row of the first identified site. Such a row exists, since the filter fails if no site is
-/// identified.
+/// Returns the row of the first identified site. Such a row exists, because the filter fails if no
+/// site is identified.
 vtkIdType firstIdentified(vtkTable* sites)
 {
   vtkIdType row = 0;

@@ -9,10 +9,10 @@
 namespace palpate
 {
 /**
- * Attaches the responses of all tools of a scene to its body, from curves measured on the body
- * (--measured, --register): "Response" for the first tool, then "Response2" ... The notes of the
- * scene list the result for each site. The contact is at the first site unless the options name a
- * place. Returns "" or an error.
+ * Attaches responses of all tools of a scene to its body. The responses are computed from curves
+ * measured on the body (--measured, --register). Their prefixes are "Response" for the first tool,
+ * then "Response2" ... The notes of the scene list the result for each site. The contact is at the
+ * first site unless the options give another position. Returns "" or an error.
  */
 std::string attachMeasured(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate

@@ -21,28 +21,28 @@ namespace palpate
 {
 namespace
 {
-// The rubber of Mahvash and Hayward 2002, section 4.2. The paper gives no Poisson's ratio.
+// The rubber of Mahvash and Hayward 2002, section 4.2. Poisson's ratio is not given in the paper.
 constexpr double ReducedModulus = 3.45; // MPa
 constexpr double PoissonRatio = 0.45;
 
-// Sizes in mm. They are not taken from the paper, which states no sizes.
+// Sizes in mm. They are assumptions, because the paper states no sizes.
 constexpr double Length = 72.0; // along x
 constexpr double Width = 20.0;
 constexpr double StripThickness = 3.0;
 constexpr double BlockThickness = 20.0;
-constexpr double RollerPosition = 28.0; // distance from the middle
+constexpr double RollerPosition = 28.0; // distance of the rollers from the middle, mm
 constexpr double RollerRadius = 2.0;
 constexpr double PlateThickness = 3.0;
 constexpr double PlateMargin = 4.0;
 constexpr double SlideLength = 14.0;
 
-constexpr double Spacing = 2.0; // mm, size of the finite elements along the surface
+constexpr double Spacing = 2.0; // size of the finite elements along the surface, mm
 constexpr int StripLayers = 6;
 constexpr int BlockLayers = 10;
 constexpr int Subdivisions = 2; // subdivisions of the contact surface
-constexpr int Modes = 6;        // number of bending modes, for display
+constexpr int Modes = 6;        // number of bending modes, used for display
 
-/// Bits of vtkElasticCompliance's array Fixed.
+/// Bits of the array Fixed of vtkElasticCompliance.
 enum Hold : unsigned char
 {
   AlongX = 1,
@@ -52,8 +52,8 @@ enum Hold : unsigned char
 
 using Place = std::array<double, 3>;
 
-/// Holds the strip on rollers along y near its ends. The rollers also hold the strip down: it can
-/// slide over them but cannot lift off.
+/// Returns the held directions of a point of the strip, which lies on two rollers along y near its
+/// ends. The rollers also hold the strip down, so that it can slide over them but cannot lift off.
 unsigned char holdStrip(const Place& place)
 {
   const bool below = place[2] == -StripThickness;
@@ -70,7 +70,7 @@ unsigned char holdBlock(const Place& place)
   return place[2] == -BlockThickness ? AlongX | AlongY | AlongZ : 0;
 }
 
-/// A cuboid of hexahedra below z = 0.
+/// Makes a cuboid of hexahedra whose top face is z = 0.
 vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   double thickness, int layers, unsigned char (*hold)(const Place&))
 {
@@ -94,7 +94,8 @@ vtkSmartPointer<vtkUnstructuredGrid> makeCuboid(
   return cells->GetOutput();
 }
 
-/// Makes the surface of the solid, with compliance and modes. It is fine enough for a dent.
+/// Makes the surface of the solid, with compliance and modes. The surface is fine enough to show a
+/// dent.
 std::string makeSurface(vtkUnstructuredGrid* solid, ViewerScene& scene)
 {
   vtkNew<vtkElasticCompliance> elastic;
@@ -135,7 +136,7 @@ void addCuboid(vtkAppendPolyData* all, const std::array<double, 6>& bounds)
   all->AddInputConnection(cube->GetOutputPort());
 }
 
-/// The rigid plate under both bodies, and the rollers on their posts.
+/// Makes the rigid plate under both bodies, and the rollers on their posts.
 vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
 {
   constexpr double halfLength = 0.5 * Length + PlateMargin;
@@ -163,7 +164,7 @@ vtkSmartPointer<vtkPolyData> makeSupport(bool rollers)
   return all->GetOutput();
 }
 
-/// Sets the properties that both bodies share.
+/// Sets the properties that are common to both bodies.
 void describe(const ViewerOptions& options, ViewerScene& scene)
 {
   const bool given = options.youngsModulus || options.poissonRatio;

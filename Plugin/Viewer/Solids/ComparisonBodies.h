@@ -24,9 +24,9 @@ struct ComparedBody
 
 /**
  * Makes a strip on two rollers, which bends, and a block bonded to a rigid plate, which does not.
- * They have the same rubber, the same top face z = 0, and the three tools of the paper. Both
- * compliances are computed by finite elements. The motion is a press in the middle and a slide
- * along the strip.
+ * Both bodies are made of the same rubber and have the same top face z = 0 and the three tools of
+ * the paper. Both compliances are computed by finite elements. The motion is a press in the middle
+ * and a slide along the strip.
  *
  * At a depth of 1 mm the forces of the tools differ by 3 % on the strip and by 67 % on the block.
  * Returns "" or an error.

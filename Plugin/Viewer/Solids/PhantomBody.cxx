@@ -19,20 +19,24 @@ namespace palpate
 {
 namespace
 {
-// Sizes in mm. The cells near the axis of a nodule that contain both materials determine the
-// accuracy. A size of 0.75 there gives the same accuracy as 0.75 everywhere.
-constexpr double FinestSize = 0.75; // size of cells up to FinestHalfWidth from the axis of a nodule
-constexpr double FinestHalfWidth = 3.75; // five cells
+// Sizes in mm. The accuracy depends on the cells near the axis of a nodule that contain both
+// materials. With a size of 0.75 for these cells, the accuracy is the same as with this size
+// everywhere.
+//
+// Size of cells at a distance of up to FinestHalfWidth from the axis of a nodule.
+constexpr double FinestSize = 0.75;
+constexpr double FinestHalfWidth = 3.75; // half width of the finest region, five cells
 constexpr double FineSize = 1.0;         // size of cells at nodules
 constexpr double CoarserSize = 2.0;      // size of cells between nodules
 // Distance from the outermost nodules to the walls; more than ten contact radii.
 constexpr double Margin = 30.0;
-constexpr double Grading = 2.0;   // ratio of the sizes of neighbouring cells in the margin
-constexpr double FineDepth = 9.0; // depth of fine cells; deeper cells have little effect
+constexpr double Grading = 2.0; // ratio of the sizes of neighbouring cells in the margin
+// Depth of the fine cells; the size of deeper cells has little effect.
+constexpr double FineDepth = 9.0;
 constexpr double BlockHeight = 40.0;
-constexpr double FineMargin = 0.75; // width of fine cells beyond the sides of a nodule
+constexpr double FineMargin = 0.75; // width of fine cells outside a nodule
 
-/// Adds coordinates up to `end` at increasing distances.
+/// Adds coordinates up to `end` whose distances increase.
 void growTo(std::vector<double>& line, double end)
 {
   double step = FineSize;
@@ -44,7 +48,7 @@ void growTo(std::vector<double>& line, double end)
   }
 }
 
-/// Adds equidistant coordinates up to `end`, at most `most` apart.
+/// Adds equidistant coordinates up to `end` whose distances are at most `most`.
 void fillTo(std::vector<double>& line, double end, double most)
 {
   const double begin = line.back();
@@ -59,8 +63,8 @@ void fillTo(std::vector<double>& line, double end, double most)
   }
 }
 
-/// Nodules at the same coordinate of one axis: their centre, and the half width of the fine cells
-/// around it.
+/// A row of nodules with the same coordinate on one axis: the coordinate of their centres, and the
+/// half width of the fine cells around it.
 struct Row
 {
   double middle = 0.0;
@@ -90,8 +94,8 @@ std::vector<Row> rowsOf(double PhantomNodule::*place)
   return rows;
 }
 
-/// Coordinates of the planes across the block: finest at the centre of each row, coarse outside of
-/// all rows.
+/// Returns the coordinates of the grid planes on one axis. They are finest at the centre of each
+/// row and coarse outside of all rows.
 std::vector<double> planes(const std::vector<Row>& rows)
 {
   std::vector<double> outward = { rows.front().half - rows.front().middle };
@@ -156,8 +160,8 @@ vtkSmartPointer<vtkUnsignedCharArray> marked(
   return marks;
 }
 
-/// Marks the points that are bonded to the box, and the points of the surface field that is
-/// searched.
+/// Adds arrays that mark the points bonded to the box, and the points of the searched field on the
+/// surface.
 void markPoints(vtkUnstructuredGrid* grid)
 {
   std::array<double, 6> box{};

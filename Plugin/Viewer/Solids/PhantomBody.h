@@ -10,19 +10,20 @@
 
 namespace palpate
 {
-/// Must be increased when the body or its solution changes, so that no outdated cache is used.
+/// Must be increased when the body or its solution changes, so that no outdated cache file is used.
 constexpr int PhantomRevision = 2;
 
-/// A hard ball in the phantom. Lengths in mm; the skin is the plane z = 0.
+/// A hard ball in the phantom. Lengths are in mm. The skin is the plane z = 0.
 struct PhantomNodule
 {
   double x = 0.0;
   double y = 0.0;
-  double top = 0.0; ///< depth of the top of the ball
+  double top = 0.0; ///< depth of the top of the ball below the skin
   double radius = 0.0;
 };
 
-/// Nodules of three radii (one per column) at three depths (one per row), at least 6 mm apart.
+/// Nine nodules with three radii (one per column) at three depths (one per row), at least 6 mm
+/// apart.
 constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0, 1.5 },
   { -2.0, -16.0, 1.0, 3.0 }, { 13.0, -16.0, 1.0, 5.0 }, { -14.0, 0.0, 2.0, 1.5 },
   { -2.0, 0.0, 2.0, 3.0 }, { 13.0, 0.0, 2.0, 5.0 }, { -14.0, 16.0, 3.0, 1.5 },
@@ -31,7 +32,8 @@ constexpr std::array<PhantomNodule, 9> PhantomNodules = { { { -14.0, -16.0, 1.0,
 /// Ratio of a nodule's modulus to the modulus of the block.
 constexpr double NoduleHardness = 10.0;
 
-/// The searched part of the skin, mm: x from, x to, y from, y to. It extends beyond all nodules.
+/// The searched part of the skin: smallest x, largest x, smallest y, largest y, mm. It extends
+/// beyond all nodules.
 constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
 
 /**
@@ -41,7 +43,7 @@ constexpr std::array<double, 4> PhantomField = { -19.0, 21.5, -24.5, 24.5 };
  */
 vtkSmartPointer<vtkUnstructuredGrid> makePhantomGrid(double youngsModulus, double poissonRatio);
 
-/// The outlines of the nodules on the skin, as closed lines.
+/// Returns the outlines of the nodules on the skin, as closed lines.
 vtkSmartPointer<vtkPolyData> outlineNodules();
 } // namespace palpate
 

@@ -23,18 +23,20 @@ namespace palpate
 {
 namespace
 {
-constexpr double UsualDepth = 0.8;            // mm
-constexpr double SourceSpacing = 1.0;         // mm; half the distance of most nodules
-constexpr double SourceSpacingWithout = 15.0; // mm; half the distance to a wall
+constexpr double UsualDepth = 0.8; // depth of the press if the options give none, mm
+// Distance of source points, mm; half the distance between most nodules.
+constexpr double SourceSpacing = 1.0;
+// Distance of source points without nodules, mm; half the distance from a wall.
+constexpr double SourceSpacingWithout = 15.0;
 
-/// Cache key: everything that the solved phantom depends on.
+/// Returns the cache key, which contains all input of the solved phantom.
 std::string phantomKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   return joined(PhantomRevision, solvedKey(options, scene), '|',
     shortestDecimals(options.depth.value_or(UsualDepth)));
 }
 
-/// Names of the arrays of a solved phantom.
+/// Returns the names of the arrays of a solved phantom.
 std::vector<std::string> arraysOf(std::size_t tools)
 {
   std::vector<std::string> arrays = { "ForceChange" };
@@ -82,7 +84,8 @@ std::string solvePhantom(const ViewerOptions& options, ViewerScene& scene)
   return {};
 }
 
-/// Name of an option that is not possible for a scene with its own body.
+/// Returns the name of an option that is not permitted for a scene with its own body, or "" if
+/// there is none.
 std::string refusedOption(const ViewerOptions& options)
 {
   const char* option = options.voxel > 0.0 ? "--voxel"
@@ -137,7 +140,7 @@ std::string makePhantomScene(const ViewerOptions& options, ViewerScene& scene)
   scene.marksInWords = "Black circles: nodules under the skin, seen from above";
   scene.depth = UsualDepth;
   // The path starts above the nodule of 3 mm radius whose top is 2 mm deep. It ends above the
-  // nodule of 3 mm radius whose top is 1 mm deep.
+  // nodule with the same radius whose top is 1 mm deep.
   scene.center = { 0.0, 0.0, -20.0 };
   scene.directions = { { -2.0, 0.0, 20.0 }, { -2.0, -16.0, 20.0 } };
   scene.pictureAt = 0.0;

@@ -57,8 +57,8 @@ std::string textOfTissues(const ViewerOptions& options)
   return text + " (given on the command line)";
 }
 
-/// Cache key: everything that the responses depend on. The revision changes when the same input
-/// gives other results.
+/// Returns the cache key, which contains all input of the responses. The revision must be increased
+/// when the same input gives other results.
 std::string segmentedKey(
   const ViewerOptions& options, const ViewerScene& scene, vtkImageData* image)
 {
@@ -102,7 +102,8 @@ void addArrays(vtkFieldData* from, vtkFieldData* to)
   }
 }
 
-/// Fills the tissues and presses the tools of the scene. Sets body and notes.
+/// Fills the tissues with cells and presses the tools of the scene on them. Sets body and notes of
+/// the scene.
 std::string solveTissues(const ViewerOptions& options, ViewerScene& scene, vtkImageData* image)
 {
   SolidTools made;

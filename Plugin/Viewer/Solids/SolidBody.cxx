@@ -22,16 +22,16 @@ namespace palpate
 {
 namespace
 {
-/// Number of source points; solved in about a minute on two cores.
+/// Number of source points that two cores solve in about a minute.
 constexpr double UsualSources = 10000.0;
 /// Smallest spacing as a fraction of the contact radius. The spacing may be smaller if the shape of
 /// the body requires it.
 constexpr double LeastOfContact = 0.5;
 /// Smallest distance of the source points as a fraction of the spacing. Sources are nodes,
-/// including the nodes in the middle of each edge.
+/// including the nodes at the midpoints of edges.
 constexpr double LeastOfSpacing = 0.5;
-/// Ratio of the spacings of the second and the first mesh. The second mesh serves to estimate the
-/// error of the first, at a sixth of its cost.
+/// Ratio of the spacing of the second mesh to that of the first. The second mesh is used to
+/// estimate the error of the first, at a sixth of the cost.
 constexpr double CoarserRatio = 2.0;
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
@@ -39,7 +39,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The size of cells at the surface, and the distance of the source points.
+/// The size of cells at the surface, and the distance between source points.
 struct SolidSizes
 {
   double spacing = 0.0; ///< mm
@@ -64,8 +64,8 @@ SolidSizes chooseSizes(vtkPolyData* body, double given, double contactRadius)
   return sizes;
 }
 
-/// Cache key: everything that the responses depend on. The revision changes when the same input
-/// gives other results.
+/// Returns the cache key, which contains all input of the responses. The revision must be increased
+/// when the same input gives other results.
 std::string solidKey(const ViewerOptions& options, const ViewerScene& scene)
 {
   constexpr int Revision = 10;
@@ -81,7 +81,7 @@ std::string fill(vtkPolyData* body, double spacing, const std::string& fixed, vt
   return updateWithProgress(filled, "the body is filled with tetrahedra");
 }
 
-/// Fills the body with longer cells. Warnings are suppressed, because defects of the surface have
+/// Fills the body with larger cells. Warnings are suppressed, because defects of the surface have
 /// already been reported for the first mesh.
 std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
 {
@@ -93,7 +93,8 @@ std::string fillAgain(vtkGradedBody* first, vtkGradedBody* coarser)
   return quiet.window->hasFailed() ? quiet.window->reason() : std::string();
 }
 
-/// Fills the body of the scene and presses its tools. Sets body and notes.
+/// Fills the body of the scene with cells and presses its tools on it. Sets body and notes of the
+/// scene.
 std::string solveSolid(const ViewerOptions& options, ViewerScene& scene)
 {
   SolidTools made;

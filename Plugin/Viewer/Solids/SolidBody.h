@@ -12,8 +12,8 @@ namespace palpate
  * Runs --solid: fills the closed surface of the scene with graded tetrahedra (vtkGradedBody), and
  * computes the responses of its tools (vtkElasticContactResponse) at the surface's own points, with
  * its curvature. The responses are stored in the scene's body and cached. The cache key contains
- * all input of the computation. Adds a sentence to the notes: the chosen sizes and the cost, or the
- * cache file used. Returns "" or an error.
+ * all input of the computation. Adds a sentence to the notes with the chosen sizes and the cost, or
+ * with the cache file that was used. Returns "" or an error.
  */
 std::string attachSolidResponses(const ViewerOptions& options, ViewerScene& scene);
 } // namespace palpate

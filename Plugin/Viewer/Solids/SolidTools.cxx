@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-/// The range of Poisson's ratios of the tissues or the body of a scene.
+/// Returns the range of Poisson's ratios of the tissues, or of the body, of a scene.
 StrainBodies strainBodiesOf(const ViewerOptions& options, const ViewerScene& scene)
 {
   StrainBodies bodies{ scene.poissonRatio, scene.poissonRatio };
@@ -31,8 +31,9 @@ StrainBodies strainBodiesOf(const ViewerOptions& options, const ViewerScene& sce
   return bodies;
 }
 
-/// Chooses the law of finite strain for a tool: the law of the options, or Neo-Hooke if it is
-/// tabulated for the tool and the material (for a segmentation: for all tissues).
+/// Chooses the law of finite strain for a tool. It is the law of the options, or Neo-Hooke if this
+/// law is tabulated for the tool and the material (for a segmentation, the materials of all
+/// tissues).
 StrainLaw strainUnder(vtkContactTool* tool, const ViewerOptions& options, const ViewerScene& scene)
 {
   if (options.strainGiven && !scene.terms.automatic)

@@ -29,8 +29,8 @@ namespace
 {
 constexpr int BodyModes = 6; ///< number of modes of the body's global motion
 
-/// Returns an error if the finite elements of the body certainly exceed the memory. Must be called
-/// before the body is filled.
+/// Returns an error if the finite elements of the body would certainly need more than the available
+/// memory. Must be called before the body is filled.
 std::string checkMemory(vtkPolyData* body, double spacing)
 {
   const BodyMesh mesh = makeBodyMesh(body);
@@ -45,7 +45,7 @@ std::string checkMemory(vtkPolyData* body, double spacing)
       area += 0.5 * side.cross(mesh.point(corners[2]) - from).norm();
     }
   }
-  const double side = std::max(spacing, 1e-9); // a lower bound keeps all numbers finite
+  const double side = std::max(spacing, 1e-9); // the lower bound keeps all numbers finite
   const double voxels = mesh.enclosedVolume() / std::pow(side, 3);
   const MemoryForecast forecast = forecastMemory(voxels, area / std::pow(side, 2));
   const double available = availableMemory();
@@ -62,8 +62,8 @@ std::string checkMemory(vtkPolyData* body, double spacing)
   return text.data();
 }
 
-/// Interpolates the modes from all points of the solid, because the modes are valid also at points
-/// without a compliance.
+/// Interpolates the modes from all points of the solid, because modes are valid even at points
+/// without a valid compliance.
 void carryModes(vtkPolyData* solid, vtkPolyData* body)
 {
   vtkDataArray* signs = solid->GetFieldData()->GetArray(GlobalModeSignArray);
@@ -115,8 +115,8 @@ std::string carryCompliance(vtkPolyData* solid, vtkPolyData* body)
   {
     return "the solid made of the body has no point with a compliance: is --voxel too coarse?";
   }
-  // The points of a fixed side have no valid compliance. On that side the values that were
-  // interpolated along the surface are used.
+  // Points on a fixed side of the solid have no valid compliance. For this side, the values that
+  // were interpolated along the surface are used.
   const FacingPoints others(solid,
     [&](vtkIdType id)
     { return status->GetTuple1(id) != 0.0 && !std::isnan(values->GetTuple1(id)); });

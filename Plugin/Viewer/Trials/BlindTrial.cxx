@@ -25,7 +25,7 @@ namespace
 const char* const Question = "Which one pushes back more?";
 const char* const LumpQuestion = "Under which one is the lump?";
 
-/// Returns the force on a tip at rest, without friction, N.
+/// Returns the force on a tip at rest without friction, N.
 double forceAt(vtkPolyData* body, const std::string& response, const ContactSettings& contact,
   const std::array<double, 3>& tip)
 {
@@ -67,7 +67,7 @@ std::string BlindTrial::chooseResponse(const ViewerScene& scene, const TrialChoi
   {
     return "alternative '" + choice.name + "': this body has no lumps; give --scene phantom";
   }
-  // Suffix for the name of a response without nodules.
+  // Suffix of the response name for the body without nodules.
   const std::string behind = choice.hasLump.value_or(true) ? "" : "Without";
   if (law == own)
   {
@@ -124,8 +124,8 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
     this->Head.alternatives.push_back(
       { choice.name, forceAt(responses.body, this->ResponseNames[i], choice.contact, pressed) });
   }
-  // Lumps are hard: if all alternatives have the same tool, the one with the larger force has a
-  // lump.
+  // Lumps are hard. Therefore, if all alternatives have the same tool, the alternative with the
+  // larger force has the lump.
   const bool asksForLump = std::all_of(this->Choices.begin(), this->Choices.end(),
     [this](const TrialChoice& choice)
     { return choice.hasLump && choice.tool == this->Choices.front().tool; });
@@ -140,7 +140,7 @@ std::string BlindTrial::open(const ViewerOptions& options, const ViewerScene& sc
   std::string path = options.trialLog;
   if (path.empty())
   {
-    std::error_code ignored; // an error here is reported when the log is opened
+    std::error_code ignored; // an error is reported when the log is opened
     std::filesystem::create_directories(options.output, ignored);
     path = options.output + "/trial.csv";
   }

@@ -17,44 +17,45 @@ class vtkHapticSession;
 namespace palpate
 {
 /**
- * A blind comparison in progress. It stores which alternatives X and Y stand for, and which of the
- * two the session renders, and writes the log. Window and console only know X and Y, not the
+ * A blind comparison in progress. The class stores the alternatives that X and Y stand for, changes
+ * the session to X or Y, and writes the log. Window and console know only X and Y, not the
  * alternatives.
  *
- * The alternatives share body, device and force factor, so the rendered forces have the same ratios
- * as the computed forces.
+ * Body, device and force factor are the same for all alternatives, so that the rendered forces have
+ * the same ratios as the computed forces.
  */
 class BlindTrial
 {
 public:
-  /// Plans the trials, and attaches the responses that the scene lacks. Returns "" or an error that
-  /// names the alternative.
+  /// Plans the trials, and attaches responses that the alternatives need and the scene lacks.
+  /// Returns "" or an error that names the alternative.
   std::string prepare(
     const ViewerOptions& options, const ViewerScene& scene, ResponseSet& responses);
-  /// Opens the log. Must be called after the session has its device. Returns "" or an error.
+  /// Opens the log. Must be called after the device of the session has been chosen. Returns "" or
+  /// an error.
   std::string open(const ViewerOptions& options, const ViewerScene& scene,
     const ResponseSet& responses, vtkHapticSession* session);
 
   std::size_t numberOfTrials() const { return this->Plan.size(); }
   bool isOver() const { return this->Current >= this->Plan.size(); }
   bool showsX() const { return this->ShowsX; }
-  /// Title of the current trial: "trial 3 of 20".
+  /// Title of the current trial, such as "trial 3 of 20".
   std::string title() const;
   const std::string& question() const { return this->Head.question; }
 
-  /// Begins the current trial, with X.
+  /// Begins the current trial. The session renders X.
   void begin();
-  /// Sets X or Y in the session. A running session changes to it.
+  /// Makes the session render X or Y. A running session changes to it immediately.
   void show(bool x);
   void switchOver();
-  /// Logs the answer. After that, call begin() for the next trial. Returns "" or an error.
+  /// Logs the answer. Then begin() must be called for the next trial. Returns "" or an error.
   std::string answer(bool choseX);
 
-  /// The result of all answers so far, in lines of text.
+  /// Returns the result of all answers so far, as lines of text.
   std::vector<std::string> summary() const;
 
 private:
-  /// Finds or makes the response of an alternative.
+  /// Finds the response of an alternative, or makes it if it does not exist.
   std::string chooseResponse(const ViewerScene& scene, const TrialChoice& choice,
     double maximumDeflection, ResponseSet& responses);
   void apply(std::size_t alternative);

@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-/// The path of the simulated hand, repeated `times` times.
+/// Returns the path of the simulated hand, repeated `times` times.
 vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
 {
   vtkDataArray* time = path->GetPointData()->GetArray("Time");
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
       points->InsertNextPoint(path->GetPoint(i));
       when->InsertNextValue(end + time->GetTuple1(i));
     }
-    // Uses the stored last time, so that time never decreases.
+    // The stored last time is used, so that the times never decrease.
     end += time->GetTuple1(count - 1);
   }
   auto all = vtkSmartPointer<vtkPolyData>::New();
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkPolyData> repeated(vtkPolyData* path, std::size_t times)
   return all;
 }
 
-/// Moves the simulated hand along its path once. Returns the largest force, N.
+/// Moves the simulated hand once along its path. Returns the largest force, N.
 double pressOnce(vtkHapticSession* session, double seconds)
 {
   double strongest = 0.0;
@@ -61,7 +61,7 @@ double pressOnce(vtkHapticSession* session, double seconds)
   return strongest;
 }
 
-/// Presses X and Y with the simulated hand.
+/// Presses first X and then Y with the simulated hand.
 void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
 {
   const double x = pressOnce(session, seconds);
@@ -70,8 +70,8 @@ void pressBoth(BlindTrial& trial, vtkHapticSession* session, double seconds)
   std::printf("X pushed back with up to %.4g N, Y with up to %.4g N\n", x, y);
 }
 
-/// Runs one trial. Sets `hasEnded` at the end of the input. `seconds` is the duration of each
-/// press; 0: a person presses.
+/// Runs one trial. Sets `hasEnded` at the end of the input. `seconds` is the duration of each press
+/// of the simulated hand; it is 0 if a person presses.
 std::string ask(BlindTrial& trial, vtkHapticSession* session, double seconds, bool& hasEnded)
 {
   const bool isSimulated = seconds > 0.0;
@@ -135,7 +135,7 @@ std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& sce
   if (error.empty())
   {
     placeDevice(scene, responses, session);
-    error = startQuietly(session); // this determines the force factor
+    error = startQuietly(session); // the start determines the force factor
   }
   if (error.empty())
   {

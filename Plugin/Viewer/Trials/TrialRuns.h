@@ -9,15 +9,15 @@
 
 namespace palpate
 {
-/// Runs the comparison in a window: the space bar switches between X and Y, the keys 1 and 2
+/// Runs the comparison in a window. The space bar switches between X and Y, and the keys 1 and 2
 /// answer. The window does not reveal which alternative is X. Returns "" or an error.
 std::string runTrialWindow(const ViewerOptions& options, const ViewerScene& scene);
 
 /**
- * Runs the comparison without a display. Answers are read from the standard input, one per line: 1
- * or 2; with a physical device also s, which switches between X and Y. Without a physical device,
- * the simulated hand presses both alternatives in virtual time, and its forces are printed so that
- * they can be compared. Returns "" or an error.
+ * Runs the comparison without a display. Answers are read from the standard input, one per line. An
+ * answer is 1 or 2. With a physical device, the input s switches between X and Y. Without a
+ * physical device, the simulated hand presses both alternatives in virtual time, and its forces are
+ * printed so that they can be compared. Returns "" or an error.
  */
 std::string runTrialConsole(const ViewerOptions& options, const ViewerScene& scene);
 } // namespace palpate

@@ -23,7 +23,7 @@ const char* const TrialKeys = "? or h\tthis help, on and off\n"
                               "left next to the body\torbit\n"
                               "middle, right\tpan, zoom";
 
-/// Asks the question of the current trial, or ends.
+/// Asks the question of the current trial. Closes the window if there are no more trials.
 void ask(HapticWindow& live, BlindTrial& trial)
 {
   if (trial.isOver())
