@@ -13,7 +13,9 @@
  *   unloading, ideal and applied. For a body that relaxes, the slow force is shown, too; the curve
  *   of the ideal force is a loop around it.
  * - **Curves**: the stored curves of the three corners of the triangle in contact, and their blend
- *   by area coordinates, dotted beyond Validity. A running point shows the present normal force.
+ *   by area coordinates, dotted beyond Validity, with a band of the estimated error. A running
+ * point shows the present normal force. A tilted tool has a curve of its own, which contains this
+ *   point. On a body that relaxes a line leads from the slow force, on the curve, to this point.
  *   With AddComparedResponse, the chart shows the blended curve of each response, one per tool, at
  *   the contact, instead of the curves of the corners. The last contact remains visible.
  * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the

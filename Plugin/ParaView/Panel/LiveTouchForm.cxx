@@ -209,7 +209,8 @@ void LiveTouchForm::showTouch(LiveTouchSession& touch, double rate)
     isLost ? text("device lost: " + session->GetDevice()->GetStatus())
            : QString(palpate::contactInWords(session->GetContactState())));
   QStringList remarks;
-  for (const std::string& words : { touch.error(), session->GetSafetyText(), session->GetReplayText(), touch.warning() })
+  for (const std::string& words :
+    { touch.error(), session->GetSafetyText(), session->GetReplayText(), touch.warning() })
   {
     if (!words.empty())
     {
