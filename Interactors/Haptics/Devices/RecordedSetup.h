@@ -2,6 +2,7 @@
 #ifndef palpate_RecordedSetup_h
 #define palpate_RecordedSetup_h
 
+#include "Contact/ContactSettings.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <array>
@@ -77,6 +78,11 @@ public:
 private:
   std::vector<SetupSince> All;
 };
+
+/// "E = 0.05 MPa, nu = 0.45".
+PALPATE_EXPORT std::string materialInWords(double youngsModulus, double poissonRatio);
+/// "mu = 0.3, elasto-plastic, 1 N/mm"; "none" without friction.
+PALPATE_EXPORT std::string frictionInWords(const FrictionSettings& friction);
 
 /// Parts that both setups name and that differ: "tool sphere:1.6 (here sphere:6.35), ..."; "" for
 /// none.

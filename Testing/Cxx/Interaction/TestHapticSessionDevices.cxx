@@ -101,7 +101,7 @@ void checkReplay(vtkPolyData* body)
     PALPATE_CHECK(ticks[i].tip == recorded[i].tip);
     PALPATE_CHECK(ticks[i].appliedForce == recorded[i].appliedForce);
   }
-  // threeTools has no names of materials; the tool is that of the response.
+  // The material is what the program named, the tool that of the response.
   PALPATE_CHECK_TEXT(
     again->GetReplayText(), "Replay: recorded with body the ball, tool sphere:6.35");
   again->SetResponseName("Flat");
