@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContactSetup.h"
 
-#include "Interaction/Session/SessionSetup.h"
+#include "Haptics/Devices/RecordedSetup.h"
 #include "Interaction/Session/SetupState.h"
 #include "vtkContactScene.h"
 #include "vtkContactSettings.h"

@@ -22,6 +22,10 @@ void vtkHapticRecorder::Follow(const std::shared_ptr<palpate::SessionRun>& run)
 {
   this->Run = run;
   this->Setups->clear();
+  if (run)
+  {
+    this->Tape->beginRun();
+  }
 }
 
 const palpate::RecordedSetups& vtkHapticRecorder::GetSetups() const
@@ -32,7 +36,8 @@ const palpate::RecordedSetups& vtkHapticRecorder::GetSetups() const
 void vtkHapticRecorder::AddSetup(double time, const palpate::RecordedSetup& setup)
 {
   this->Setups->add(time, setup);
-  if (!this->Recording && !this->Tape->isRunning())
+  this->Tape->note(time, setup);
+  if (!this->Recording)
   {
     this->Setups->keepNewest();
   }

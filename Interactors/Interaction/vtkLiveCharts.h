@@ -11,13 +11,14 @@
  *   force, and of friction and memory force if there are any, in N. The lines join the smallest and
  *   the largest value of a few ticks each, so that no peak is lost. A time without ticks is a gap.
  * - **Deflection**: force over deflection (mm, N) since the contact last began, loading and
- *   unloading, ideal and applied. For a body that relaxes, the slow force is also shown; the curve
- *   of the ideal force is a loop around the curve of the slow force.
- * - **Curves**: the stored curves of the three corners of the triangle in contact, and their
- *   average weighted by the area coordinates, dotted beyond Validity. A running point shows the
- *   present normal force. With AddComparedResponse, the chart shows the averaged curve of each
- *   response at the contact, one per tool, instead of the curves of the corners. The last contact
- *   remains visible.
+ *   unloading, ideal and applied. For a body that relaxes, the slow force is shown, too; the curve
+ *   of the ideal force is a loop around it.
+ * - **Curves**: the stored curves of the three corners of the triangle in contact, and their blend
+ *   by area coordinates, dotted beyond Validity, with a band of the estimated error. A running
+ *   point shows the present normal force. A tilted tool has a curve of its own, which contains this
+ *   point. On a body that relaxes a line leads from the slow force, on the curve, to this point.
+ *   With AddComparedResponse, the chart shows the blended curve of each response, one per tool, at
+ *   the contact, instead of the curves of the corners. The last contact remains visible.
  * - **Histogram** (off by default): histograms of the period, wake-up latency and duration of the
  *   servo thread's ticks (µs), both axes logarithmic. Empty in virtual time.
  *

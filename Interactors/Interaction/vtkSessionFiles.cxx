@@ -74,7 +74,8 @@ bool vtkSessionFiles::StartRecording()
     return false;
   }
   this->Tape = recorder->GetTape();
-  this->Tape->start();
+  const auto& setups = recorder->GetSetups().all();
+  this->Tape->start(setups.empty() ? nullptr : &setups.back().setup);
   this->Notice = "recording";
   return true;
 }
@@ -91,7 +92,7 @@ std::string vtkSessionFiles::WriteRecording(const std::string& fileName)
   this->Tape->stop();
   const std::string name = fileName.empty() ? this->FreeName(".csv") : fileName;
   const std::string error =
-    palpate::writeTrajectory(name, this->Tape->ticks(), this->Session->GetRecorder()->GetSetups());
+    palpate::writeTrajectory(name, this->Tape->ticks(), this->Tape->setups());
   if (!error.empty())
   {
     vtkErrorMacro(<< error << ".");

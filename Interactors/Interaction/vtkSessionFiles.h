@@ -5,8 +5,10 @@
  *
  * Files are named "palpate-1.png", "palpate-1.csv" in OutputFolder, with the first free number,
  * unless the caller gives a name. A record contains all ticks between two times of a session, as a
- * trajectory file for the device "replay:FILE". A record may extend over a stop and a new start of
- * the session. GetNotice describes the last action. Only the session's thread may use it.
+ * trajectory file for the device "replay:FILE". It continues over a stop and a start of the
+ * session; the times of the later run follow those before. It names body, tool, material, model and
+ * friction, and their changes. GetNotice describes the last action. Only the session's thread may
+ * use it.
  *
  * @code{.py}
  * session.GetRecorder().SetHistorySeconds(1.0)         # before Start

@@ -7,7 +7,7 @@
 #include "ModelChoice.h"
 #include "Pictures.h"
 #include "Interaction/Display/MemoryText.h"
-#include "Interaction/Session/SessionSetup.h"
+#include "Haptics/Devices/RecordedSetup.h"
 #include "ResponseSet.h"
 #include "ScenePath.h"
 #include "Haptics/Servo/ServoStep.h"

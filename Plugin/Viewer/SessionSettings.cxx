@@ -2,7 +2,7 @@
 #include "SessionSettings.h"
 
 #include "Response/Files/CollectingWindow.h"
-#include "Interaction/Session/SessionSetup.h"
+#include "Haptics/Devices/RecordedSetup.h"
 #include "ScenePath.h"
 
 #include "vtkHapticSession.h"

@@ -12,15 +12,20 @@ class FlatBody(SessionCase):
         first = self.press(bodies.sphere(), "body.stl", "--export", path)
         return path, first
 
+    def numbers(self):
+        """The lines of the trajectory without those that name body and material, which another file may not know."""
+        text = (self.output / "trajectory.csv").read_text(encoding="utf-8")
+        return [line for line in text.splitlines() if not line.startswith("#")]
+
     def test_the_exported_body_is_felt_as_it_was(self):
         path, first = self.export()
-        trajectory = (self.output / "trajectory.csv").read_text(encoding="utf-8")
+        trajectory = self.numbers()
         again = self.succeed(path)
         self.assertEqual(vertices(again), vertices(first))
         self.assertEqual(peak_force(again), peak_force(first))
         self.assertIn("sphere:3", again.stdout)
         self.assertIn("as stored in the file", again.stdout)
-        self.assertEqual((self.output / "trajectory.csv").read_text(encoding="utf-8"), trajectory)
+        self.assertEqual(self.numbers(), trajectory)
 
     def test_another_tool_or_material_replaces_the_stored_response(self):
         path, first = self.export()

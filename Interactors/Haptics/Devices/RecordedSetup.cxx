@@ -3,6 +3,7 @@
 
 #include "Mechanics/Files/CsvReader.h"
 #include "Mechanics/Files/NumberText.h"
+#include "Mechanics/JoinedText.h"
 
 #include <algorithm>
 #include <iterator>
@@ -144,6 +145,28 @@ void RecordedSetups::readLine(std::string_view line)
   setup.texts[static_cast<std::size_t>(std::distance(SetupPartNames.begin(), found))] =
     std::string(comment.value);
   this->add(time, setup);
+}
+
+std::string materialInWords(double youngsModulus, double poissonRatio)
+{
+  return joined("E = ", youngsModulus, " MPa, nu = ", poissonRatio);
+}
+
+std::string frictionInWords(const FrictionSettings& friction)
+{
+  if (friction.coefficient == 0.0)
+  {
+    return "none";
+  }
+  const std::string coefficient = joined("mu = ", friction.coefficient, ", ");
+  if (friction.model == FrictionModel::ShapeDerived)
+  {
+    return joined(
+      coefficient, "pre-sliding displacement from the response, nu = ", friction.poissonRatio);
+  }
+  const bool creeps = friction.model == FrictionModel::Dahl;
+  return joined(coefficient, creeps ? "Dahl's creep, " : "elasto-plastic, ",
+    friction.tangentialStiffness, " N/mm");
 }
 
 std::string differenceOf(const RecordedSetup& recorded, const RecordedSetup& here)

@@ -2,6 +2,7 @@
 #ifndef palpate_RecordedSetup_h
 #define palpate_RecordedSetup_h
 
+#include "Contact/ContactSettings.h"
 #include "Mechanics/PalpateExport.h"
 
 #include <array>
@@ -79,8 +80,13 @@ private:
   std::vector<SetupSince> All;
 };
 
-/// Lists the parts that are known in both setups and differ: "tool sphere:1.6 (here sphere:6.35),
-/// ...". Returns "" if there is no such part.
+/// "E = 0.05 MPa, nu = 0.45".
+PALPATE_EXPORT std::string materialInWords(double youngsModulus, double poissonRatio);
+/// "mu = 0.3, elasto-plastic, 1 N/mm"; "none" without friction.
+PALPATE_EXPORT std::string frictionInWords(const FrictionSettings& friction);
+
+/// Parts that both setups name and that differ: "tool sphere:1.6 (here sphere:6.35), ..."; "" for
+/// none.
 PALPATE_EXPORT std::string differenceOf(const RecordedSetup& recorded, const RecordedSetup& here);
 /// Lists the known parts of a setup: "body liver.stl, tool sphere:1.6, ...".
 PALPATE_EXPORT std::string setupInWords(const RecordedSetup& setup);

@@ -42,7 +42,7 @@ void ContactCurvesChart::Line::show(const Curve& curve)
       this->trusted.add(join, curve.force(join));
       this->beyond.add(join, curve.force(join));
     }
-    if (depth <= join)
+    if (depth <= join && join > 0.0) // a single point would be no line
     {
       this->trusted.add(depth, curve.force(depth));
     }

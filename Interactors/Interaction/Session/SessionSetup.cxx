@@ -33,28 +33,6 @@ std::string layersInWords(vtkPolyData* body, const std::string& name)
 }
 } // namespace
 
-std::string materialInWords(double youngsModulus, double poissonRatio)
-{
-  return joined("E = ", youngsModulus, " MPa, nu = ", poissonRatio);
-}
-
-std::string frictionInWords(const FrictionSettings& friction)
-{
-  if (friction.coefficient == 0.0)
-  {
-    return "none";
-  }
-  const std::string coefficient = joined("mu = ", friction.coefficient, ", ");
-  if (friction.model == FrictionModel::ShapeDerived)
-  {
-    return joined(
-      coefficient, "pre-sliding displacement from the response, nu = ", friction.poissonRatio);
-  }
-  const bool creeps = friction.model == FrictionModel::Dahl;
-  return joined(coefficient, creeps ? "Dahl's creep, " : "elasto-plastic, ",
-    friction.tangentialStiffness, " N/mm");
-}
-
 RecordedSetup setupOf(vtkPolyData* body, const std::string& name, const std::string& bodyName,
   const std::string& material, const FrictionSettings& friction)
 {

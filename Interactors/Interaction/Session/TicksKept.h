@@ -2,9 +2,11 @@
 #ifndef TicksKept_h
 #define TicksKept_h
 
+#include "Haptics/Devices/RecordedSetup.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -37,15 +39,38 @@ struct TickSummary
   }
 };
 
-/// Stores the ticks between start() and stop().
+/// Stores the ticks between start() and stop(), and the setups from which they are. The times of a
+/// later run follow those of the run before.
 class TickTape
 {
 public:
-  /// Discards the stored ticks and starts to store the next ticks.
-  void start()
+  /// Discards the stored ticks, and stores the next ticks. `present`: the setup at present; null:
+  /// unknown.
+  void start(const RecordedSetup* present)
   {
     this->Ticks.clear();
+    this->Setups.clear();
+    this->Offset = 0.0;
+    if (present)
+    {
+      this->Setups.add(0.0, *present);
+    }
     this->Running = true;
+  }
+  /// Called when another run begins, with the time 0.
+  void beginRun()
+  {
+    const std::size_t count = this->Ticks.size();
+    const double last = count > 0 ? this->Ticks.back().time : 0.0;
+    this->Offset = count > 1 ? 2.0 * last - this->Ticks[count - 2].time : last;
+  }
+  /// The setup of the ticks from a time of the run on, s.
+  void note(double time, const RecordedSetup& setup)
+  {
+    if (this->Running)
+    {
+      this->Setups.add(this->Offset + time, setup);
+    }
   }
   void stop() { this->Running = false; }
   void add(const Tick& tick)
@@ -53,14 +78,18 @@ public:
     if (this->Running)
     {
       this->Ticks.push_back(tick);
+      this->Ticks.back().time += this->Offset;
     }
   }
 
   bool isRunning() const { return this->Running; }
   const std::vector<Tick>& ticks() const { return this->Ticks; }
+  const RecordedSetups& setups() const { return this->Setups; }
 
 private:
   std::vector<Tick> Ticks;
+  RecordedSetups Setups;
+  double Offset = 0.0; ///< added to the times of the present run, s
   bool Running = false;
 };
 

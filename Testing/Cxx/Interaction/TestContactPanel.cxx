@@ -7,7 +7,7 @@
 
 #include "Haptics/Devices/TrajectoryFile.h"
 #include "Haptics/Servo/ServoStep.h"
-#include "Interaction/Session/SessionSetup.h"
+#include "Haptics/Devices/RecordedSetup.h"
 
 #include "vtkContactPanel.h"
 #include "vtkContactScene.h"

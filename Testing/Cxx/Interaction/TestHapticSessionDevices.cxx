@@ -70,6 +70,8 @@ vtkSmartPointer<vtkHapticSession> sessionAfterSlide(vtkPolyData* body)
   auto session = vtkSmartPointer<vtkHapticSession>::New();
   session->SetBody(body);
   session->SetResponseName("Sphere");
+  session->SetBodyName("the ball");
+  session->SetMaterial("E = 1 MPa, nu = 0.5");
   session->GetDevice()->SetPath(slidePath(body, { 0.0, 0.0, 1.0 }, { 0.05, 0.0, 1.0 }, 0.8));
   PALPATE_CHECK(session->Start());
   session->Step(session->GetDevice()->GetPathDuration());
@@ -81,7 +83,10 @@ void checkReplay(vtkPolyData* body)
 {
   const auto first = sessionAfterSlide(body);
   const std::string file = "TestHapticSessionDevices-replay.csv";
-  PALPATE_CHECK(palpate::writeTrajectory(file, first->GetRecorder()->GetTicks()).empty());
+  PALPATE_CHECK(palpate::writeTrajectory(
+    file, first->GetRecorder()->GetTicks(), first->GetRecorder()->GetSetups())
+                  .empty());
+  PALPATE_CHECK(first->GetReplayText().empty());
   vtkNew<vtkHapticSession> again;
   Messages messages(again);
   again->SetBody(body);
@@ -98,6 +103,15 @@ void checkReplay(vtkPolyData* body)
     PALPATE_CHECK(ticks[i].tip == recorded[i].tip);
     PALPATE_CHECK(ticks[i].appliedForce == recorded[i].appliedForce);
   }
+  // The material is what the program named, the tool that of the response.
+  PALPATE_CHECK_TEXT(
+    again->GetReplayText(), "Replay: recorded with body the ball, tool sphere:6.35");
+  again->SetResponseName("Flat");
+  again->SetMaterial("E = 2 MPa, nu = 0.5");
+  PALPATE_CHECK_TEXT(again->GetReplayText(),
+    "Replay: recorded with another setup: tool sphere:6.35 (here flat:1.6), material E = 1 MPa, nu "
+    "= 0.5 (here E = 2 MPa, nu = 0.5)");
+  again->SetResponseName("Sphere");
   Messages refusals(again->GetDevice());
   PALPATE_CHECK(!again->GetDevice()->Open("replay:" + file));
   PALPATE_CHECK_TEXT(refusals.takeErrors(), file.c_str());

@@ -3,12 +3,15 @@
 // bit.
 #include "Response/FilterChecks.h"
 #include "SceneBodies.h"
+#include "Haptics/Devices/TrajectoryFile.h"
 #include "Haptics/Servo/ServoStep.h"
 
 #include "vtkHapticSession.h"
+#include "vtkSessionFiles.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <cstdio>
 #include <cstring>
 
 namespace
@@ -100,6 +103,48 @@ void checkSummary(vtkHapticSession* session, vtkPolyData* recording)
   PALPATE_CHECK(session->GetDeflection() == data->GetArray("Deflection")->GetTuple1(last));
   PALPATE_CHECK(session->GetContactState() == data->GetArray("ContactState")->GetTuple1(last));
 }
+
+/// A record of a part of the session continues over a stop and a start, and has every change of the
+/// setup at its time.
+void checkFileOverTwoRuns(vtkPolyData* body)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetBody(body);
+  session->GetDevice()->SetPath(slidePath(body, { -0.5, -0.8, 0.6 }, { 0.6, -0.8, 0.5 }, 1.0));
+  session->GetRecorder()->SetHistorySeconds(1.0);
+  vtkNew<vtkSessionFiles> files;
+  files->SetSession(session);
+  PALPATE_CHECK(session->Start());
+  session->Step(0.5);
+  PALPATE_CHECK(files->StartRecording());
+  session->Step(0.1);
+  session->GetSettings()->SetFrictionCoefficient(0.5);
+  PALPATE_CHECK(session->ApplyChanges());
+  session->Step(0.1);
+  session->Stop();
+  session->GetSettings()->SetFrictionCoefficient(0.0);
+  PALPATE_CHECK(session->Start());
+  session->Step(0.2);
+  const char* const file = "TestHapticSessionRecording.csv";
+  PALPATE_CHECK(files->WriteRecording(file) == file);
+  palpate::Trajectory record;
+  PALPATE_CHECK(palpate::readTrajectory(file, record).empty());
+  std::remove(file);
+  PALPATE_CHECK(record.rows.size() == 400);
+  for (std::size_t i = 1; i < record.rows.size(); ++i)
+  {
+    PALPATE_CHECK_NEAR(record.rows[i].time - record.rows[i - 1].time, 1e-3, 1e-9);
+  }
+  const auto frictionAt = [&record](double time) -> std::string
+  {
+    const palpate::RecordedSetup* setup = record.setups.at(time);
+    return setup ? (*setup)[palpate::SetupPart::Friction].substr(0, 8) : std::string();
+  };
+  PALPATE_CHECK(frictionAt(0.55) == "none");
+  PALPATE_CHECK(frictionAt(0.65) == "mu = 0.5");
+  PALPATE_CHECK(frictionAt(0.75) == "none");
+  PALPATE_CHECK(record.setups.all().size() == 3);
+}
 } // namespace
 
 int TestHapticSessionRecording(int, char*[])
@@ -136,5 +181,6 @@ int TestHapticSessionRecording(int, char*[])
     checkSummary(session, recording);
   }
   PALPATE_CHECK(messages.none());
+  checkFileOverTwoRuns(body);
   return palpate::testing::result();
 }

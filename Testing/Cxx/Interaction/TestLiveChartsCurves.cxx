@@ -118,7 +118,21 @@ void checkFacets()
   }
 }
 
-/// When the tool leaves the body, the curves remain and the running point disappears.
+/// A curve that is valid at no depth is dotted from its beginning.
+void checkNowhereValid()
+{
+  const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
+  body->GetPointData()->GetArray("ResponseValidity")->Fill(0.0);
+  vtkNew<vtkLiveCharts> charts;
+  charts->SetBody(body);
+  PALPATE_CHECK(charts->ShowTip(probed(body, singleTip(0.37, 0.81, -0.7)), 0));
+  vtkChartXY* chart = charts->GetCurvesChart();
+  vtkPlot* solid = plotOf(chart, "Blend");
+  PALPATE_CHECK(pointsOf(solid).empty());
+  PALPATE_CHECK(pointsOf(chart->GetPlot(chart->GetPlotIndex(solid) + 1)).size() == Steps + 1);
+}
+
+/// When the tool leaves, the curves remain and the running point disappears.
 void checkLeaving()
 {
   const Body body = unevenResponse(planeBody(20.0, 20), "sphere:1.6");
@@ -404,6 +418,7 @@ int TestLiveChartsCurves(int, char*[])
   checkTilted();
   checkRelaxing();
   checkFacets();
+  checkNowhereValid();
   checkLeaving();
   checkOtherCells();
   checkSmooth();

@@ -8,8 +8,10 @@
 #include "vtkHapticSession.h"
 #include "vtkTrajectoryReader.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
 #include <cstdio>
 #include <fstream>
@@ -73,7 +75,9 @@ void checkRecording()
   session->Stop();
   vtkNew<vtkPolyData> recording;
   session->GetRecorder()->GetRecording(recording);
-  PALPATE_CHECK(palpate::writeTrajectory(File, session->GetRecorder()->GetTicks()).empty());
+  PALPATE_CHECK(palpate::writeTrajectory(
+    File, session->GetRecorder()->GetTicks(), session->GetRecorder()->GetSetups())
+                  .empty());
 
   vtkNew<vtkTrajectoryReader> reader;
   Messages messages(reader);
@@ -106,6 +110,14 @@ void checkRecording()
     !reader->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
   reader->UpdateTimeStep(0.0);
   PALPATE_CHECK(reader->GetOutput()->GetNumberOfPoints() == recording->GetNumberOfPoints());
+  auto* setup = vtkStringArray::SafeDownCast(
+    reader->GetOutput()->GetFieldData()->GetAbstractArray("RecordedSetup"));
+  PALPATE_CHECK(setup && setup->GetNumberOfValues() == 3);
+  for (vtkIdType i = 0; setup && i < setup->GetNumberOfValues(); ++i)
+  {
+    constexpr const char* names[] = { "tool: ", "model: ", "friction: mu = 0.3, " };
+    PALPATE_CHECK(setup->GetValue(i).rfind(names[i], 0) == 0);
+  }
   PALPATE_CHECK(messages.none());
 }
 
