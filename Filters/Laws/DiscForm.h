@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,6 +21,24 @@ struct DiscForm
   Eigen::Vector3d form;
   double residual; ///< root-mean-square residual of the heights over the squared contact radius
 };
+
+/// A point of a surface with its normal. Both are in one place of the memory, because discs visit
+/// points in no order.
+struct NormalPoint
+{
+  std::array<double, 3> place;
+  std::array<float, 3> normal; ///< unit length
+  std::uint64_t drawn;         ///< a number that looks random
+
+  Eigen::Vector3d placeVector() const { return Eigen::Map<const Eigen::Vector3d>(place.data()); }
+  Eigen::Vector3d normalVector() const
+  {
+    return Eigen::Map<const Eigen::Vector3f>(normal.data()).cast<double>();
+  }
+};
+
+/// The points of a surface with their normals, 3 floats per point.
+std::vector<NormalPoint> normalPoints(const TriangleSpans& surface, const float* normals);
 
 /**
  * Fits the surface under a contact by a polynomial of fourth order around a point: an offset and a
@@ -34,27 +54,24 @@ struct DiscForm
 class DiscForms
 {
 public:
-  /// `normals`: 3 floats per point, unit length. `spacing`: pointSpacing(), mm. All arguments must
-  /// outlive this.
-  DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
-    double spacing, double contactRadius);
+  /// `spacing`: pointSpacing(), mm. `points` and `rings` must outlive this.
+  DiscForms(const std::vector<NormalPoint>& points, const PointRings& rings, double spacing,
+    double contactRadius);
 
   /// Without a value if the point has no normal, or if fewer than 12 or more than 2000 points are
   /// near.
   std::optional<DiscForm> fit(std::size_t point);
 
 private:
-  Eigen::Vector3d placeOf(std::size_t point) const;
-  Eigen::Vector3d normalOf(std::size_t point) const;
   void gather(std::size_t point, double reach);
 
-  const TriangleSpans& Surface;
-  const float* Normals;
+  const std::vector<NormalPoint>& Points;
   const PointRings& Rings;
   double Radius;
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
-  std::vector<double> Terms;         ///< of the points that are fitted
+  std::vector<double> Fitted;        ///< x, y, height and weight of the points that are fitted
+  std::vector<double> Terms;         ///< of these points
   std::vector<double> Weighted;      ///< the same times the weights of the points
   std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
   std::uint32_t Search = 0;
