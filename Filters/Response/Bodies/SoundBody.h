@@ -10,12 +10,14 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <cstdint> // For std::int32_t
+#include <memory>  // For std::shared_ptr
 #include <string>  // For std::string
 #include <vector>  // For std::vector
 
 namespace palpate
 {
 class Ranks;
+struct BodyContent;
 
 /**
  * A body as laws, display and mesher use it: the triangles of a SoundMesh on the points of the
@@ -30,8 +32,10 @@ public:
     Piece ///< part of a body on several processes; the outside of a piece is unknown
   };
 
-  /// The input may have no points.
-  explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole);
+  /// The input may have no points. `content`, if not null, receives the content of body(); null
+  /// after a fault.
+  explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole,
+    std::shared_ptr<const BodyContent>* content = nullptr);
 
   /// The reason why the input is not a body (checkTriangles, SoundMesh), or "". In case of a fault
   /// body() is null.

@@ -14,6 +14,7 @@ class vtkPolyData;
 namespace palpate
 {
 class BodySeam;
+struct BodyContent;
 
 /// The parts of a response that depend neither on the tool nor on the material, for this rank's
 /// piece of a body.
@@ -26,11 +27,12 @@ struct BodyGeometry
   std::string fault; ///< of the normals, or ""; then there is no bound
 };
 
-/// Finds the geometry of a body. Never returns null. Collective.
+/// Finds the geometry of a body with this content. Never returns null. Collective.
 ///
 /// The process caches the last geometries of whole bodies by content: points, triangles and normals
 /// of the input; 20 bytes per point, up to 128 MB and 4 bodies. Thread-safe.
-std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam);
+std::shared_ptr<const BodyGeometry> findGeometry(
+  vtkPolyData* body, const BodyContent& content, const BodySeam& seam);
 } // namespace palpate
 
 #endif

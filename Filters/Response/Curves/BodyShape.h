@@ -17,6 +17,7 @@ namespace palpate
 {
 class BodySeam;
 class Ranks;
+struct BodyContent;
 
 /// Curvature and edges of this rank's piece of a body. A member that was not requested is null.
 struct BodyShape
@@ -36,15 +37,16 @@ struct BodyShape
 };
 
 /// Finds the curvature (needed by a law or its error) and the edges (needed by the error only) on
-/// the scale of a contact of radius `a` (mm). `normals`: three floats per point. Never returns
-/// null. Collective; each rank temporarily stores the whole body.
+/// the scale of a contact of radius `a` (mm). `piece` is the content of this rank's piece.
+/// `normals`: three floats per point. Never returns null. Collective; each rank temporarily stores
+/// the whole body.
 ///
 /// A shape does not depend on the material, which changes more often. So the process caches the
 /// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Of the last two whole
 /// bodies it also caches what the shapes for all radii share: some 500 bytes per point, up to 512
 /// MB. Thread-safe.
-std::shared_ptr<const BodyShape> findShape(
-  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
+std::shared_ptr<const BodyShape> findShape(const std::shared_ptr<const BodyContent>& piece,
+  const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// Lengths of the sides of the bounding box of the whole body, mm.
 struct BodyLengths
