@@ -46,8 +46,9 @@
  * Step 3 has an effect only if the points of the body are closer together than EdgeWidth; steps 4
  * and 5 only if they are closer together than SmoothingRadius.
  *
- * Cost: Colin 27 at 0.6 mm, 426 thousand points: 6.5 s on one core. A third of it is for the rays,
- * the rest for the median, whose cost grows with the number of points within SmoothingRadius.
+ * Cost: Colin 27 at 0.6 mm, 426 thousand points: 10.5 s of one core, on a busy machine. A quarter
+ * of it is for the rays, the rest for median and mean, whose cost grows with the number of points
+ * within SmoothingRadius.
  * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * @code{.py}
