@@ -41,9 +41,9 @@ constexpr double CubeRidge = 0.01;
 constexpr double FourthRidge = 0.003;
 constexpr double OffsetRidge = 0.01;
 
-/// Returns a pseudo-random number computed from the bits of a position. It does not depend on the
-/// index of the point, so that a body in pieces has the same curvature as the whole body.
-std::uint64_t drawn(const Vector3d& place)
+/// A number that looks random, from the bits of a place. It does not depend on the point's index,
+/// so that a body in pieces has the same curvature as the whole.
+std::uint64_t drawnFrom(const std::array<double, 3>& place)
 {
   std::uint64_t number = 0;
   for (const double coordinate : place)
@@ -56,41 +56,87 @@ std::uint64_t drawn(const Vector3d& place)
   return number >> 8;
 }
 
-/// Returns the terms of the height polynomial at a position in the tangent plane.
-DiscTerms termsAt(double x, double y)
-{
-  const double square = x * x + y * y;
-  DiscTerms terms;
-  terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, x * x * x, x * x * y, x * y * y, y * y * y,
-    square * square, 1.0;
-  return terms;
-}
+/// Four doubles that are processed together; two at a time on a processor without AVX.
+using FourTerms [[gnu::vector_size(32)]] = double;
+/// The same in memory that need not begin at a multiple of 32 bytes. (Not for `auto` or a parameter
+/// of a template, which would lose the attributes.)
+using StoredTerms [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
-/// Sets the columns from `First` to `First` + 3 in the lower triangle of the sum of weighted *
-/// termsᵀ over all points.
-template <int First>
-void sumColumns(const std::vector<double>& terms, const std::vector<double>& weighted,
-  Eigen::Matrix<double, Padded, Padded>& products)
+/// The sums over all points that a fit needs.
+struct DiscSums
 {
-  constexpr int rows = Padded - First;
-  // The compiler keeps these sums in vector registers. Eigen's rankUpdate of a matrix in memory
-  // takes four times as long.
-  double sums[4][rows] = {};
-  for (std::size_t i = First; i < terms.size(); i += Padded)
+  /// The lower triangle of weight * terms * termsᵀ, column by column.
+  double products[Padded * Padded];
+  double heights[Padded]; ///< of weight * height * terms
+};
+
+/// Sets the columns from `First` to `First` + 3 of the products.
+template <int First>
+[[gnu::always_inline]] inline void sumColumns(
+  const double* terms, const double* weighted, std::size_t count, double* products) noexcept
+{
+  constexpr int fours = (Padded - First) / 4;
+  // A compiler keeps these in vector registers. Eigen's rankUpdate of a matrix in memory takes four
+  // times as long.
+  FourTerms sums[4][fours] = {};
+  for (std::size_t i = First; i < count * Padded; i += Padded)
   {
-    for (std::size_t column = 0; column < 4; ++column)
+    const StoredTerms* rows = reinterpret_cast<const StoredTerms*>(terms + i);
+    for (int column = 0; column < 4; ++column)
     {
-      for (std::size_t row = 0; row < rows; ++row)
+      for (int four = 0; four < fours; ++four)
       {
-        sums[column][row] += weighted[i + column] * terms[i + row];
+        sums[column][four] += weighted[i + static_cast<std::size_t>(column)] * rows[four];
       }
     }
   }
   for (int column = 0; column < 4; ++column)
   {
-    products.col(First + column).template tail<rows>() =
-      Eigen::Map<const Eigen::Matrix<double, rows, 1>>(sums[column]);
+    StoredTerms* to = reinterpret_cast<StoredTerms*>(products + Padded * (First + column) + First);
+    for (int four = 0; four < fours; ++four)
+    {
+      to[four] = sums[column][four];
+    }
   }
+}
+
+// The same instructions in the same order with vectors of two or four, thus the same bits. A thread
+// sanitizer cannot run the function that chooses between them.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+[[gnu::target_clones("avx", "default")]]
+#endif
+void sumTerms(const double* fitted, std::size_t count, double* terms, double* weighted,
+  DiscSums& sums) noexcept
+{
+  constexpr int fours = Padded / 4;
+  FourTerms heights[fours] = {};
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double x = fitted[4 * i];
+    const double y = fitted[4 * i + 1];
+    const double height = fitted[4 * i + 2];
+    const double weight = fitted[4 * i + 3];
+    const double square = x * x + y * y;
+    const double heightWeight = weight * height;
+    StoredTerms* all = reinterpret_cast<StoredTerms*>(terms + Padded * i);
+    StoredTerms* weightedAll = reinterpret_cast<StoredTerms*>(weighted + Padded * i);
+    all[0] = FourTerms{ x, y, 0.5 * x * x, x * y };
+    all[1] = FourTerms{ 0.5 * y * y, x * x * x, x * x * y, x * y * y };
+    all[2] = FourTerms{ y * y * y, square * square, 1.0, 0.0 }; // the last one is unused
+    for (int four = 0; four < fours; ++four)
+    {
+      weightedAll[four] = weight * all[four];
+      heights[four] += heightWeight * all[four];
+    }
+  }
+  StoredTerms* heightSums = reinterpret_cast<StoredTerms*>(sums.heights);
+  for (int four = 0; four < fours; ++four)
+  {
+    heightSums[four] = heights[four];
+  }
+  sumColumns<0>(terms, weighted, count, sums.products);
+  sumColumns<4>(terms, weighted, count, sums.products);
+  sumColumns<8>(terms, weighted, count, sums.products);
 }
 
 DiscTerms ridges()
@@ -104,45 +150,54 @@ DiscTerms ridges()
 }
 } // namespace
 
-DiscForms::DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
+std::vector<NormalPoint> normalPoints(const TriangleSpans& surface, const float* normals)
+{
+  std::vector<NormalPoint> points(surface.pointCount);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    std::copy_n(surface.points + 3 * i, 3, points[i].place.begin());
+    std::copy_n(normals + 3 * i, 3, points[i].normal.begin());
+    points[i].drawn = drawnFrom(points[i].place);
+  }
+  return points;
+}
+
+DiscForms::DiscForms(const std::vector<NormalPoint>& points, const PointRings& rings,
   double spacing, double contactRadius)
-  : Surface(surface)
-  , Normals(normals)
+  : Points(points)
   , Rings(rings)
   , Radius(contactRadius)
   , Spacing(spacing)
-  , Passed(surface.pointCount, 0)
+  , Passed(points.size(), 0)
 {
 }
 
-Vector3d DiscForms::placeOf(std::size_t point) const
-{
-  return Eigen::Map<const Vector3d>(this->Surface.points + 3 * point);
-}
-
-Vector3d DiscForms::normalOf(std::size_t point) const
-{
-  return Eigen::Map<const Eigen::Vector3f>(this->Normals + 3 * point).cast<double>();
-}
-
-/// Collects the connected points within the distance `reach` (mm) whose normals are similar to that
-/// of the point. Stops when there are more than `Most` points.
+/// Collects the points that are connected within this distance and face the same way, until there
+/// are too many.
 void DiscForms::gather(std::size_t point, double reach)
 {
-  const Vector3d here = this->placeOf(point);
-  const Vector3d normal = this->normalOf(point);
-  ++this->Search;
-  this->Passed[point] = this->Search;
+  // Copies of members, which a compiler otherwise reads again after each write.
+  const NormalPoint* points = this->Points.data();
+  std::uint32_t* passed = this->Passed.data();
+  const std::uint32_t search = ++this->Search;
+  const Vector3d here = points[point].placeVector();
+  const Vector3d normal = points[point].normalVector();
+  const double square = reach * reach;
+  passed[point] = search;
   this->Near = { point };
   for (std::size_t i = 0; i < this->Near.size() && this->Near.size() <= Most; ++i)
   {
     this->Rings.forEachNeighbour(this->Near[i],
       [&](std::size_t other)
       {
-        const bool isSeen = this->Passed[other] == this->Search;
-        this->Passed[other] = this->Search;
-        if (!isSeen && (this->placeOf(other) - here).squaredNorm() < reach * reach &&
-          this->normalOf(other).dot(normal) > LeastFacing)
+        if (passed[other] == search)
+        {
+          return;
+        }
+        passed[other] = search;
+        const NormalPoint& at = points[other];
+        if ((at.placeVector() - here).squaredNorm() < square &&
+          at.normalVector().dot(normal) > LeastFacing)
         {
           this->Near.push_back(other);
         }
@@ -152,7 +207,7 @@ void DiscForms::gather(std::size_t point, double reach)
 
 std::optional<DiscForm> DiscForms::fit(std::size_t point)
 {
-  const Vector3d normal = this->normalOf(point);
+  const Vector3d normal = this->Points[point].normalVector();
   if (!(normal.squaredNorm() > 0.0))
   {
     return {};
@@ -167,41 +222,46 @@ std::optional<DiscForm> DiscForms::fit(std::size_t point)
     return {};
   }
   const TangentFrame frame(normal);
-  const Vector3d here = this->placeOf(point);
+  const Vector3d here = this->Points[point].placeVector();
   const double coarse = this->Spacing / this->Radius;
   const double width = 2.0 * std::max(1.0, 1.2 * coarse * coarse);
-  DiscTerms heights = DiscTerms::Zero();
   double squares = 0.0;
   double weights = 0.0;
-  this->Terms.clear();
-  this->Weighted.clear();
+  this->Fitted.resize(4 * this->Near.size());
+  double* fitted = this->Fitted.data();
   const std::uint64_t stride = 1 + this->Near.size() / Enough;
   for (const std::size_t other : this->Near)
   {
-    if (stride > 1 && other != point && drawn(this->placeOf(other)) % stride != 0)
+    const NormalPoint& at = this->Points[other];
+    if (stride > 1 && other != point && at.drawn % stride != 0)
     {
       continue;
     }
-    const Vector3d away = (this->placeOf(other) - here) / this->Radius;
+    const Vector3d away = (at.placeVector() - here) / this->Radius;
     const double x = away.dot(frame.first);
     const double y = away.dot(frame.second);
     const double height = -away.dot(normal);
     const double weight = std::exp(-(x * x + y * y) / width);
-    const DiscTerms terms = termsAt(x, y);
-    const std::size_t end = this->Terms.size();
-    this->Terms.resize(end + Padded); // the unused terms are 0
-    this->Weighted.resize(end + Padded);
-    Eigen::Map<DiscTerms>(this->Terms.data() + end) = terms;
-    Eigen::Map<DiscTerms>(this->Weighted.data() + end) = weight * terms;
-    heights += weight * height * terms;
+    fitted[0] = x;
+    fitted[1] = y;
+    fitted[2] = height;
+    fitted[3] = weight;
+    fitted += 4;
     squares += weight * height * height;
     weights += weight;
   }
-  Eigen::Matrix<double, Padded, Padded> sums = Eigen::Matrix<double, Padded, Padded>::Zero();
-  sumColumns<0>(this->Terms, this->Weighted, sums);
-  sumColumns<4>(this->Terms, this->Weighted, sums);
-  sumColumns<8>(this->Terms, this->Weighted, sums);
-  Eigen::Matrix<double, TermCount, TermCount> products = sums.topLeftCorner<TermCount, TermCount>();
+  const auto count = static_cast<std::size_t>(fitted - this->Fitted.data()) / 4;
+  if (this->Terms.size() < Padded * count)
+  {
+    this->Terms.resize(Padded * count);
+    this->Weighted.resize(Padded * count);
+  }
+  DiscSums sums{};
+  sumTerms(this->Fitted.data(), count, this->Terms.data(), this->Weighted.data(), sums);
+  const DiscTerms heights = Eigen::Map<const DiscTerms>(sums.heights);
+  Eigen::Matrix<double, TermCount, TermCount> products =
+    Eigen::Map<const Eigen::Matrix<double, Padded, Padded>>(sums.products)
+      .topLeftCorner<TermCount, TermCount>();
   products.diagonal() += weights * ridges();
   const DiscTerms found = products.selfadjointView<Eigen::Lower>().ldlt().solve(heights);
   // The ridge terms also count as residuals.

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,6 +23,24 @@ struct DiscForm
   double residual;
 };
 
+/// A point of a surface with its normal. Both are in one place of the memory, because discs visit
+/// points in no order.
+struct NormalPoint
+{
+  std::array<double, 3> place;
+  std::array<float, 3> normal; ///< unit length
+  std::uint64_t drawn;         ///< a number that looks random
+
+  Eigen::Vector3d placeVector() const { return Eigen::Map<const Eigen::Vector3d>(place.data()); }
+  Eigen::Vector3d normalVector() const
+  {
+    return Eigen::Map<const Eigen::Vector3f>(normal.data()).cast<double>();
+  }
+};
+
+/// The points of a surface with their normals, 3 floats per point.
+std::vector<NormalPoint> normalPoints(const TriangleSpans& surface, const float* normals);
+
 /**
  * Fits a polynomial of fourth order to the surface under a contact: an offset and a tilt of the
  * tangent plane, all terms of second and third order, and r⁴. The mean curvature of the form is
@@ -35,29 +55,26 @@ struct DiscForm
 class DiscForms
 {
 public:
-  /// `normals` has 3 floats per point, unit length. `spacing` is pointSpacing(), mm.
-  /// `contactRadius` is in mm. The arguments must outlive this object.
-  DiscForms(const TriangleSpans& surface, const float* normals, const PointRings& rings,
-    double spacing, double contactRadius);
+  /// `spacing`: pointSpacing(), mm. `points` and `rings` must outlive this.
+  DiscForms(const std::vector<NormalPoint>& points, const PointRings& rings, double spacing,
+    double contactRadius);
 
   /// Fits the form at a point. Returns no value if the point has no normal, or if the disc has
   /// fewer than 12 or more than 2000 points.
   std::optional<DiscForm> fit(std::size_t point);
 
 private:
-  Eigen::Vector3d placeOf(std::size_t point) const;
-  Eigen::Vector3d normalOf(std::size_t point) const;
   void gather(std::size_t point, double reach);
 
-  const TriangleSpans& Surface;
-  const float* Normals;
+  const std::vector<NormalPoint>& Points;
   const PointRings& Rings;
   double Radius;
   double Spacing;
   std::vector<std::size_t> Near;     ///< the points of the disc
-  std::vector<double> Terms;         ///< terms of the fitted points
-  std::vector<double> Weighted;      ///< the same terms multiplied by the weights of the points
-  std::vector<std::uint32_t> Passed; ///< number of the search in which a point was last visited
+  std::vector<double> Fitted;        ///< x, y, height and weight of the points that are fitted
+  std::vector<double> Terms;         ///< of these points
+  std::vector<double> Weighted;      ///< the same times the weights of the points
+  std::vector<std::uint32_t> Passed; ///< the search in which a point was last seen
   std::uint32_t Search = 0;
 };
 } // namespace palpate

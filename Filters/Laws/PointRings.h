@@ -69,9 +69,11 @@ public:
   template <class Visit>
   void forEachNeighbour(std::size_t point, const Visit& visit) const
   {
-    for (std::size_t i = this->NeighbourBegin[point]; i < this->NeighbourBegin[point + 1]; ++i)
+    const std::uint32_t* end = this->Neighbours.data() + this->NeighbourBegin[point + 1];
+    for (const std::uint32_t* other = this->Neighbours.data() + this->NeighbourBegin[point];
+         other != end; ++other)
     {
-      visit(static_cast<std::size_t>(this->Neighbours[i]));
+      visit(static_cast<std::size_t>(*other));
     }
   }
 

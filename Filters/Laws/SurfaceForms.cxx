@@ -204,10 +204,11 @@ std::vector<std::size_t> SurfaceForms::takeDiscs(
 {
   const double factor = DiscFactor * (1.0 + DiscNoiseFactor * this->Noise);
   std::vector<unsigned char> hasDisc(found.size(), 0);
+  const std::vector<NormalPoint> points = normalPoints(this->Surface, this->Normals);
   forRanges(found.size(),
     [&](std::size_t first, std::size_t last)
     {
-      DiscForms discs(this->Surface, this->Normals, this->Rings, this->Spacing, contactRadius);
+      DiscForms discs(points, this->Rings, this->Spacing, contactRadius);
       for (std::size_t i = first; i < last; ++i)
       {
         if (const std::optional<DiscForm> disc = discs.fit(i))

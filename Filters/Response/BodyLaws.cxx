@@ -6,6 +6,7 @@
 #include "Mechanics/FiniteStrain/StrainCorrection.h"
 #include "Mechanics/JoinedText.h"
 #include "Mechanics/Tools/AxisymmetricTool.h"
+#include "Response/Bodies/BodyContent.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Response/BodyConversion.h"
 #include "Response/Curves/AutomaticTerms.h"
@@ -109,6 +110,7 @@ private:
   BodyMaterial Material;
   bool HasPiece;
   std::optional<SoundBody> Sound;
+  std::shared_ptr<const BodyContent> Content; ///< of the repaired body
   vtkSmartPointer<vtkPolyData> Body; ///< the repaired body, with the arrays of its compliance
   std::string HeldAt;
   std::optional<ResponseStorage> Storage;
@@ -158,7 +160,7 @@ std::string ResponseInMaking::make()
 
 std::string ResponseInMaking::repairBody()
 {
-  this->Sound.emplace(this->Input, extentOn(this->All));
+  this->Sound.emplace(this->Input, extentOn(this->All), &this->Content);
   this->Body = this->Sound->body();
   return prefixed("Wrong input: ", this->Sound->fault());
 }
@@ -208,7 +210,7 @@ std::string ResponseInMaking::findNormals()
   this->Storage.emplace(this->Request.responseName, this->Body->GetNumberOfPoints(),
     this->Request.samples, this->Request.terms.keepsError());
   this->Seam.emplace(this->All, this->Body);
-  this->Geometry = findGeometry(this->Body, *this->Seam);
+  this->Geometry = findGeometry(this->Body, *this->Content, *this->Seam);
   if (this->Geometry->fault.empty())
   {
     this->Storage->setNormals(this->Geometry->normals, this->Geometry->status);
@@ -219,7 +221,7 @@ std::string ResponseInMaking::findNormals()
 std::string ResponseInMaking::findShape()
 {
   this->NotPressed = leaveOutOthers(this->Request.pressed, *this->Sound, this->Storage->Status);
-  this->Shape = palpate::findShape(this->Body, *this->Seam, this->Storage->Normal->GetPointer(0),
+  this->Shape = palpate::findShape(this->Content, *this->Seam, this->Storage->Normal->GetPointer(0),
     this->tool().contactRadius(this->Request.deflection), this->Request.terms);
   return {};
 }

@@ -2,6 +2,7 @@
 #include "Response/BodyRegime.h"
 
 #include "Mechanics/Checked.h"
+#include "Response/Bodies/BodyContent.h"
 #include "Response/Bodies/BodyYield.h"
 #include "Response/Bodies/SoundBody.h"
 #include "Laws/RegimeLaw.h"
@@ -114,7 +115,8 @@ std::string attachRegime(
   {
     return fault;
   }
-  const SoundBody sound(input, extentOn(ranks));
+  std::shared_ptr<const BodyContent> content;
+  const SoundBody sound(input, extentOn(ranks), &content);
   fault = ranks.firstFault(sound.fault());
   if (!fault.empty())
   {
@@ -166,7 +168,7 @@ std::string attachRegime(
     radius = ranks.largest(radius);
     if (radius > 0.0)
     {
-      shape = findShape(body, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr,
+      shape = findShape(content, BodySeam(ranks, body), normals ? normals->GetPointer(0) : nullptr,
         radius, { true, {}, 0.0, false });
     }
   }

@@ -48,10 +48,10 @@
  * Step 3 has an effect only if the points of the body are closer together than EdgeWidth; steps 4
  * and 5 only if they are closer together than SmoothingRadius.
  *
- * Cost: 6.5 s on one core for Colin 27 at 0.6 mm, with 426 thousand points. The rays take a third
- * of this time, and the median takes the rest. The cost of the median grows with the number of
- * points within SmoothingRadius. Threaded by vtkSMPTools; the bits do not depend on the number of
- * threads. Abort leaves no output.
+ * Cost: Colin 27 at 0.6 mm, 426 thousand points: 10.5 s of one core, on a busy machine. A quarter
+ * of it is for the rays, the rest for median and mean, whose cost grows with the number of points
+ * within SmoothingRadius.
+ * Threaded by vtkSMPTools; the bits do not depend on the number of threads. Abort leaves no output.
  *
  * @code{.py}
  * layer = palpate.vtkLayerThickness()

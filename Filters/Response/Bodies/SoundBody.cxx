@@ -2,8 +2,8 @@
 #include "Response/Bodies/SoundBody.h"
 
 #include "Mechanics/RecentValues.h"
+#include "Response/Bodies/BodyContent.h"
 #include "Response/BodyConversion.h"
-#include "Response/Curves/ContentHash.h"
 #include "Response/FilterThreads.h"
 #include "Response/Pieces/Ranks.h"
 
@@ -13,37 +13,24 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
-#include <tuple>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-/// The triangles of a surface as arrays of numbers.
-struct PlainSurface
+SoundMesh soundMesh(const BodyContent& surface, SoundBody::Extent extent)
 {
-  std::vector<std::int32_t> triangles;
-  std::vector<double> points;
+  const FilterThreads threads;
+  return SoundMesh(surface.points.data(), surface.points.size() / 3, surface.triangles.data(),
+    surface.triangles.size() / 3, extent == SoundBody::Extent::Piece);
+}
 
-  explicit PlainSurface(vtkPolyData* surface)
-    : triangles(copyTriangles(surface))
-    , points(copyPoints(surface))
-  {
-  }
-
-  SoundMesh soundMesh(SoundBody::Extent extent) const
-  {
-    const FilterThreads threads;
-    return SoundMesh(this->points.data(), this->points.size() / 3, this->triangles.data(),
-      this->triangles.size() / 3, extent == SoundBody::Extent::Piece);
-  }
-};
-
-/// Key of the cache of recent surfaces that needed no repair. It consists of hashes of the surface.
-/// The cache stores the defects of the surface.
-using SoundKey = std::tuple<std::size_t, std::size_t, SoundBody::Extent>;
+/// The defects of the last surfaces that needed no repair, by their content.
+using SoundKey = std::pair<std::array<std::size_t, 2>, SoundBody::Extent>;
 
 RecentValues<SoundKey, MeshDefects>& soundSurfaces()
 {
@@ -91,12 +78,26 @@ bool changesTriangles(const MeshDefects& found)
 }
 } // namespace
 
-SoundBody::SoundBody(vtkPolyData* input, Extent extent)
+BodyContent::BodyContent(vtkPolyData* body)
+  : BodyContent(copyPoints(body), copyTriangles(body))
+{
+}
+
+SoundBody::SoundBody(vtkPolyData* input, Extent extent, std::shared_ptr<const BodyContent>* content)
   : Input(input)
 {
+  const auto give = [content](std::shared_ptr<const BodyContent> found)
+  {
+    if (content)
+    {
+      *content = std::move(found);
+    }
+  };
+  give(nullptr);
   if (input->GetNumberOfPoints() == 0)
   {
     this->Body = input;
+    give(std::make_shared<const BodyContent>(input));
     return;
   }
   this->Fault = checkTriangles(input);
@@ -104,15 +105,16 @@ SoundBody::SoundBody(vtkPolyData* input, Extent extent)
   {
     return;
   }
-  const PlainSurface surface(input);
-  const SoundKey key{ hashOf(surface.points), hashOf(surface.triangles), extent };
+  auto surface = std::make_shared<const BodyContent>(input);
+  const SoundKey key{ surface->hash, extent };
   if (const std::shared_ptr<const MeshDefects> known = soundSurfaces().find(key))
   {
     this->Found = *known;
     this->Body = input;
+    give(std::move(surface));
     return;
   }
-  const SoundMesh mesh = surface.soundMesh(extent);
+  const SoundMesh mesh = soundMesh(*surface, extent);
   this->Fault = mesh.fault();
   this->Found = mesh.defects();
   if (!this->Fault.empty())
@@ -124,6 +126,7 @@ SoundBody::SoundBody(vtkPolyData* input, Extent extent)
     this->Body = input;
     soundSurfaces().keep(
       key, std::make_shared<const MeshDefects>(this->Found), sizeof(MeshDefects));
+    give(std::move(surface));
     return;
   }
   if (mesh.hasJoinedPoints())
@@ -136,6 +139,10 @@ SoundBody::SoundBody(vtkPolyData* input, Extent extent)
   }
   this->Body = withTriangles(
     input, mesh.triangles(), [&mesh](std::int32_t point) { return mesh.firstAt(point); });
+  if (content)
+  {
+    give(std::make_shared<const BodyContent>(this->Body));
+  }
 }
 
 void SoundBody::giveBack(vtkPolyData* output) const
@@ -177,7 +184,7 @@ SoundBody::Extent extentOn(const Ranks& ranks)
 std::string orientSurface(
   vtkSmartPointer<vtkPolyData>& surface, SoundBody::Extent extent, MeshDefects& found)
 {
-  const SoundMesh mesh = PlainSurface(surface).soundMesh(extent);
+  const SoundMesh mesh = soundMesh(BodyContent(surface), extent);
   found = mesh.defects();
   if (mesh.fault().empty() && changesTriangles(found))
   {

@@ -10,12 +10,14 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <cstdint> // For std::int32_t
+#include <memory>  // For std::shared_ptr
 #include <string>  // For std::string
 #include <vector>  // For std::vector
 
 namespace palpate
 {
 class Ranks;
+struct BodyContent;
 
 /**
  * The repaired body that laws, display and mesher use. It has the triangles of a SoundMesh and the
@@ -32,8 +34,10 @@ public:
     Piece
   };
 
-  /// The input may have no points.
-  explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole);
+  /// The input may have no points. `content`, if not null, receives the content of body(); null
+  /// after a fault.
+  explicit SoundBody(vtkPolyData* input, Extent extent = Extent::Whole,
+    std::shared_ptr<const BodyContent>* content = nullptr);
 
   /// Reason why the input is not a body (checkTriangles, SoundMesh); "" if it is a body. If there
   /// is a fault, body() is null.

@@ -2,8 +2,7 @@
 #include "Response/Curves/BodyGeometry.h"
 
 #include "Mechanics/RecentValues.h"
-#include "Response/BodyConversion.h"
-#include "Response/Curves/ContentHash.h"
+#include "Response/Bodies/BodyContent.h"
 #include "Response/Curves/PointNormals.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/Ranks.h"
@@ -63,7 +62,8 @@ std::shared_ptr<const BodyGeometry> makeGeometry(vtkPolyData* body, const BodySe
 }
 } // namespace
 
-std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam)
+std::shared_ptr<const BodyGeometry> findGeometry(
+  vtkPolyData* body, const BodyContent& content, const BodySeam& seam)
 {
   const bool hasOtherCells = body->GetNumberOfVerts() + body->GetNumberOfLines() > 0;
   // Only whole bodies are cached. Bodies with other cells are not cached, because the key of the
@@ -74,8 +74,8 @@ std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySe
   }
   using Key = std::array<std::size_t, 3>;
   static RecentValues<Key, BodyGeometry> recent(MostGeometries, MostBytesOfGeometries);
-  const Key key{ hashOf(copyPoints(body)), hashOf(copyTriangles(body)),
-    hashOf(storedNormals(body)) };
+  const std::vector<double> normals = storedNormals(body);
+  const Key key{ content.hash[0], content.hash[1], hashOf(normals.data(), normals.size()) };
   return recent.get(key,
     [&]
     {

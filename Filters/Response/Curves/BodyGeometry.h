@@ -14,6 +14,7 @@ class vtkPolyData;
 namespace palpate
 {
 class BodySeam;
+struct BodyContent;
 
 /// Geometry of this rank's piece of a body. It is the part of a response that depends neither on
 /// the tool nor on the material.
@@ -26,12 +27,12 @@ struct BodyGeometry
   std::string fault; ///< error message of the normals, or ""; with an error `bound` is null
 };
 
-/// Finds the geometry of a body. Never returns null. Collective.
+/// Finds the geometry of a body with this content. Never returns null. Collective.
 ///
-/// A cache of the process keeps recent geometries of whole bodies. Its key is the content of the
-/// input: points, triangles and normals. It takes 20 bytes per point, and is limited to 128 MB and
-/// 4 bodies. Thread-safe.
-std::shared_ptr<const BodyGeometry> findGeometry(vtkPolyData* body, const BodySeam& seam);
+/// The process caches the last geometries of whole bodies by content: points, triangles and normals
+/// of the input; 20 bytes per point, up to 128 MB and 4 bodies. Thread-safe.
+std::shared_ptr<const BodyGeometry> findGeometry(
+  vtkPolyData* body, const BodyContent& content, const BodySeam& seam);
 } // namespace palpate
 
 #endif

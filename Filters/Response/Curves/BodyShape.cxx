@@ -3,8 +3,7 @@
 
 #include "Laws/FaceSurface.h"
 #include "Mechanics/RecentValues.h"
-#include "Response/BodyConversion.h"
-#include "Response/Curves/ContentHash.h"
+#include "Response/Bodies/BodyContent.h"
 #include "Response/Pieces/BodySeam.h"
 #include "Response/Pieces/Ranks.h"
 
@@ -33,57 +32,61 @@ namespace
 /// piece, its index in this surface.
 struct WholeSurface
 {
-  std::vector<double> points;
-  std::vector<std::int32_t> triangles;
+  std::shared_ptr<const BodyContent> content;
   std::vector<float> normals;
   std::vector<std::int32_t> own;
 
+  std::size_t pointCount() const { return this->content->points.size() / 3; }
   TriangleSpans spans() const
   {
-    return { this->points.data(), this->points.size() / 3, this->triangles.data(),
-      this->triangles.size() / 3 };
+    const BodyContent& surface = *this->content;
+    return { surface.points.data(), this->pointCount(), surface.triangles.data(),
+      surface.triangles.size() / 3 };
   }
 };
 
 WholeSurface gatherSurface(const BodySeam& seam, const WholeSurface& piece)
 {
-  std::vector<std::int32_t> seamOf(piece.points.size() / 3, -1);
+  std::vector<std::int32_t> seamOf(piece.pointCount(), -1);
   for (const BodySeam::Place& place : seam.places())
   {
     seamOf[static_cast<std::size_t>(place.point)] = place.seam;
   }
   const Ranks& ranks = seam.ranks();
-  const auto allPoints = ranks.gather(piece.points);
+  const auto allPoints = ranks.gather(piece.content->points);
   const auto allNormals = ranks.gather(piece.normals);
-  const auto allTriangles = ranks.gather(piece.triangles);
+  const auto allTriangles = ranks.gather(piece.content->triangles);
   const auto allSeams = ranks.gather(seamOf);
   WholeSurface whole;
+  std::vector<double> points;
+  std::vector<std::int32_t> triangles;
   std::map<std::int32_t, std::int32_t> joined;
   for (std::size_t rank = 0; rank < allPoints.size(); ++rank)
   {
     std::vector<std::int32_t> place;
     for (std::size_t i = 0; i < allSeams[rank].size(); ++i)
     {
-      const auto next = static_cast<std::int32_t>(whole.points.size() / 3);
+      const auto next = static_cast<std::int32_t>(points.size() / 3);
       const std::int32_t number = allSeams[rank][i];
       place.push_back(number < 0 ? next : joined.try_emplace(number, next).first->second);
       if (place.back() == next)
       {
         const double* from = allPoints[rank].data() + 3 * i;
-        whole.points.insert(whole.points.end(), from, from + 3);
+        points.insert(points.end(), from, from + 3);
         const float* normal = allNormals[rank].data() + 3 * i;
         whole.normals.insert(whole.normals.end(), normal, normal + 3);
       }
     }
     for (const std::int32_t corner : allTriangles[rank])
     {
-      whole.triangles.push_back(place[static_cast<std::size_t>(corner)]);
+      triangles.push_back(place[static_cast<std::size_t>(corner)]);
     }
     if (static_cast<int>(rank) == ranks.own())
     {
       whole.own = std::move(place);
     }
   }
+  whole.content = std::make_shared<const BodyContent>(std::move(points), std::move(triangles));
   return whole;
 }
 
@@ -143,8 +146,8 @@ public:
     // This includes the copies of points and normals for the curvature of the faces.
     constexpr std::size_t perPoint = 310;
     constexpr std::size_t perTriangle = 145;
-    return perPoint * this->Whole.points.size() / 3 +
-      perTriangle * this->Whole.triangles.size() / 3;
+    const TriangleSpans spans = this->Whole.spans();
+    return perPoint * spans.pointCount + perTriangle * spans.triangleCount;
   }
 
 private:
@@ -163,19 +166,18 @@ constexpr std::size_t MostSurfaces = 2;
 constexpr std::size_t MostBytesOfSurfaces = std::size_t{ 512 } << 20;
 } // namespace
 
-std::shared_ptr<const BodyShape> findShape(
-  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
+std::shared_ptr<const BodyShape> findShape(const std::shared_ptr<const BodyContent>& piece,
+  const BodySeam& seam, const float* normals, double a, const LawTerms& terms)
 {
   const bool wantsEdges = terms.errorTolerance > 0.0;
   if (!terms.curvature && !wantsEdges)
   {
     return std::make_shared<const BodyShape>();
   }
-  WholeSurface piece{ copyPoints(body), copyTriangles(body), {}, {} };
-  piece.normals.assign(normals, normals + piece.points.size());
   const Ranks& ranks = seam.ranks();
-  const ShapeKey key{ { hashOf(piece.points), hashOf(piece.triangles), hashOf(piece.normals) }, a,
-    wantsEdges, terms.edges };
+  const std::size_t count = piece->points.size();
+  const ShapeKey key{ { piece->hash[0], piece->hash[1], hashOf(normals, count) }, a, wantsEdges,
+    terms.edges };
   static RecentValues<ShapeKey, BodyShape> recent(MostShapes, MostBytesOfShapes);
   std::shared_ptr<const BodyShape> known = recent.find(key);
   if (!ranks.any(known == nullptr))
@@ -184,8 +186,9 @@ std::shared_ptr<const BodyShape> findShape(
   }
   const auto share = [&]
   {
+    WholeSurface own{ piece, { normals, normals + count }, {} };
     auto surface = std::make_shared<const SharedSurface>(
-      ranks.areAlone() ? std::move(piece) : gatherSurface(seam, piece));
+      ranks.areAlone() ? std::move(own) : gatherSurface(seam, own));
     const std::size_t bytes = surface->bytes();
     return std::make_pair(std::shared_ptr<const SharedSurface>(std::move(surface)), bytes);
   };
@@ -209,7 +212,7 @@ std::shared_ptr<const BodyShape> findShape(
     made->edges = std::make_unique<EdgeDistance>(shared->edges(), a, reach * a);
   }
   made->curvature = curvature.get();
-  recent.keep(key, made, 28 * shared->whole().points.size() / 3);
+  recent.keep(key, made, 28 * shared->whole().pointCount());
   return made;
 }
 

@@ -17,6 +17,7 @@ namespace palpate
 {
 class BodySeam;
 class Ranks;
+struct BodyContent;
 
 /// Curvature and edges of this rank's piece of a body. A member that was not requested is null.
 struct BodyShape
@@ -35,17 +36,17 @@ struct BodyShape
   }
 };
 
-/// Finds the curvature and the edges on the scale of a contact of radius `a` (mm). The curvature is
-/// needed by a law or by the error of a law. The edges are needed only by the error. `normals` has
-/// three floats per point. Never returns null. Collective. Each rank temporarily stores the whole
-/// body.
+/// Finds the curvature (needed by a law or its error) and the edges (needed by the error only) on
+/// the scale of a contact of radius `a` (mm). `piece` is the content of this rank's piece.
+/// `normals`: three floats per point. Never returns null. Collective; each rank temporarily stores
+/// the whole body.
 ///
-/// A shape does not depend on the material. Therefore a cache of the process keeps recent shapes.
-/// Its key is the content of the body. It takes 28 bytes per point, and is limited to 128 MB and 16
-/// shapes. A second cache keeps the data that shapes of all radii share, for the last two whole
-/// bodies. It takes about 500 bytes per point, up to 512 MB. Thread-safe.
-std::shared_ptr<const BodyShape> findShape(
-  vtkPolyData* body, const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
+/// A shape does not depend on the material, which changes more often. So the process caches the
+/// last shapes by content: 28 bytes per point, up to 128 MB and 16 shapes. Of the last two whole
+/// bodies it also caches what the shapes for all radii share: some 500 bytes per point, up to 512
+/// MB. Thread-safe.
+std::shared_ptr<const BodyShape> findShape(const std::shared_ptr<const BodyContent>& piece,
+  const BodySeam& seam, const float* normals, double a, const LawTerms& terms);
 
 /// Lengths of the sides of the bounding box of the whole body, mm.
 struct BodyLengths
