@@ -64,8 +64,8 @@ struct FrictionSettings
 /// a user, including enumerations, may be out of range until faultOfContact() has checked them.
 struct ContactSettings
 {
-  ForceForm form = ForceForm::EnergyConsistent;
-  ContactSurface surface = ContactSurface::Smooth;
+  ForceForm form = ForceForm::NormalizedDirection;
+  ContactSurface surface = ContactSurface::Facets;
   FrictionSettings friction = {};
   /// Number of parallel elements for a body that relaxes, 0 to MostRelaxationElements. With 0, the
   /// quasi-linear law applies. More elements are more accurate while the tool moves out: the error

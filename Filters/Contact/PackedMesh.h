@@ -52,7 +52,8 @@ using BuildProgress = std::function<void(double)>;
  * The surface can be cut along its convex creases, so that a contact followed from triangle to
  * triangle stays on its face. Triangles on different sides of a cut are not neighbours. A point on
  * a cut becomes one point per face, each with the normal of its face. The triangles at a crease
- * that is not cut are called folded: the normals at their corners differ from those of the faces.
+ * between flat faces that is not cut (CreaseCut) are called folded: the normals at their corners
+ * differ from those of the faces.
  *
  * Cost: about 105 bytes per triangle. Built in O(n log n), threaded; the result does not depend on
  * the number of threads. Immutable; can be used from any number of threads.

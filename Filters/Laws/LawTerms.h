@@ -19,8 +19,8 @@ struct LawTerms
   bool automatic = false; ///< omit terms that change the force only slightly
   /// Largest change of the force by the omitted terms, relative to the force.
   double changeTolerance = 0.01;
-  bool edges = true; ///< contacts can leave the body over sharp edges (BodyEdges)
-  double tilt = 0.0; ///< largest tilt of the tool, degrees; 0 for an upright tool
+  bool edges = false; ///< contacts can leave the body over sharp edges (BodyEdges)
+  double tilt = 0.0;  ///< largest tilt of the tool, degrees; 0 for an upright tool
 
   bool keepsError() const { return this->storeError && this->errorTolerance > 0.0; }
   /// Returns the options for small strain on a flat surface without edges. The law is valid until

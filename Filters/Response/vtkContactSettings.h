@@ -10,8 +10,8 @@
  *
  * | Property | meaning | range | default |
  * | --- | --- | --- | --- |
- * | ForceForm | how three curves are combined into one force | 0 to 2 | EnergyConsistent |
- * | ContactSurface | the surface on which tips are projected | 0 to 1 | Smooth |
+ * | ForceForm | how three curves are combined into one force | 0 to 2 | NormalizedDirection |
+ * | ContactSurface | the surface on which tips are projected | 0 to 1 | Facets |
  * | FrictionModel | behaviour of a contact before it slides | 0 to 2 | ElastoPlastic |
  * | FrictionCoefficient | Coulomb's μ; 0 disables friction | finite, >= 0 | 0 |
  * | TangentialStiffness | stiffness of the sticking contact, N/mm | finite, > 0 | 1 |
@@ -99,7 +99,7 @@ public:
   };
 
   ///@{
-  /** How three curves are combined into one force. Default EnergyConsistent. */
+  /** How three curves are combined into one force. Default NormalizedDirection. */
   void SetForceForm(int form)
   {
     this->Assign(this->Values.form, static_cast<palpate::ForceForm>(form));
@@ -108,7 +108,7 @@ public:
   ///@}
 
   ///@{
-  /** The surface on which tips are projected. Default Smooth. */
+  /** The surface on which tips are projected. Default Facets. */
   void SetContactSurface(int surface)
   {
     this->Assign(this->Values.surface, static_cast<palpate::ContactSurface>(surface));

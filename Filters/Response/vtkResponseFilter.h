@@ -66,7 +66,7 @@ public:
    * for the true shape of a body include the softening. A field array `<name>Edges` (double 5:
    * exponent m, contact radius at 1 mm in mm, Poisson's ratio, extent in mm, 1 if the curves
    * include the edges) allows probe, touch and servo loop to apply the effect of edges. The error
-   * includes the part of the effect that is not applied. Default on. If it is off, the force drops
+   * includes the part of the effect that is not applied. Default off. If it is off, the force drops
    * where a contact passes an edge.
    */
   vtkSetMacro(EdgeCorrection, bool);
@@ -142,7 +142,7 @@ protected:
   int NumberOfSamples = 8;
   bool StoreError = true;
   double LayerThickness = 0.0;
-  bool EdgeCorrection = true;
+  bool EdgeCorrection = false;
   double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool AutomaticTerms = false;

@@ -174,7 +174,7 @@ public:
   vtkBooleanMacro(CurvatureCorrection, bool);
   ///@}
   ///@{
-  /** Whether the effect of sharp edges is included; see vtkToolContactResponse. Default on. */
+  /** Whether the effect of sharp edges is included; see vtkToolContactResponse. Default off. */
   vtkSetMacro(EdgeCorrection, bool);
   vtkGetMacro(EdgeCorrection, bool);
   vtkBooleanMacro(EdgeCorrection, bool);
@@ -350,7 +350,7 @@ private:
   bool BaseSlips = false;
   double ComplianceModulus = 0.0;
   bool CurvatureCorrection = true;
-  bool EdgeCorrection = true;
+  bool EdgeCorrection = false;
   double MaximumTilt = 0.0;
   palpate::RelaxationList Relaxations;
   bool ComplianceRelaxes = true;

@@ -31,7 +31,7 @@ PROPERTIES = {                                              # of each proxy: lab
         "Base Young's Modulus (MPa)": 1.0, "Base Poisson's Ratio": 0.45, "Layers Below": None,
         "Second Layer Thickness Array (mm)": "None",
         "Global Compliance Array (mm/N)": "None", "Compliance Excludes Layer": 0, "Whole Body": 1, "Pressed Points Array": "None",
-        "Curvature Correction": 1, "Edge Correction": 1, "Maximum Tilt (degrees)": 0.0, "Coupling": 0, "Relaxation": 0,
+        "Curvature Correction": 1, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Coupling": 0, "Relaxation": 0,
         "Relaxations": None,
         "Relaxation Array": "None", "Compliance Relaxes": 1, "Strain Model": 0, "Ogden Exponent": 2.0, "Demiray Exponent": 1.0,
         "Error Tolerance": 0.05, "Store Error": 1, "Leave Out Small Effects": 0, "Largest Effect Left Out": 0.01,
@@ -73,7 +73,7 @@ PROPERTIES = {                                              # of each proxy: lab
     ("filters", "ElasticContactResponse"): {
         "Input": None, "Finer Surface": None, "Coarser Body": None, "Length Unit": 0, "Young's Modulus (MPa)": 0.1,
         "Young's Modulus Array (MPa)": "None", "Poisson's Ratio": 0.45, "Poisson's Ratio Array": "None", "Tool": None, "Maximum Deflection (mm)": 2.0,
-        "Number Of Samples": 8, "Edge Correction": 1, "Maximum Tilt (degrees)": 0.0, "Relaxations": None, "Error Tolerance": 0.05,
+        "Number Of Samples": 8, "Edge Correction": 0, "Maximum Tilt (degrees)": 0.0, "Relaxations": None, "Error Tolerance": 0.05,
         "Store Error": 1, "Store Motion": 1,
         "Response Name": "Response", "Largest Contact Radius (mm)": 0.0, "Spacing Of Solved Points (mm)": 0.0, "Strain Model": 0,
         "Ogden Exponent": 2.0, "Demiray Exponent": 1.0, "Leave Out Small Effects": 0,

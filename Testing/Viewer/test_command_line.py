@@ -14,7 +14,7 @@ OPTIONS = ("--help", "--version", "--scene", "--scan", "--tool", "--young", "--p
            "--contact-surface", "--device", "--hand", "--list-devices", "--record", "--scale", "--trial",
            "--rounds", "--seed", "--question", "--log", "--compare", "--map", "--auto", "--no-auto",
            "--pictures", "--no-pictures", "--no-whole-body", "--tolerance", "--strain", "--error-tolerance", "--curvature",
-           "--no-curvature", "--edges", "--no-edges", "--tilt", "--relax", "--relaxation-elements", "--verbose")
+           "--no-curvature", "--edges", "--tilt", "--relax", "--relaxation-elements", "--verbose")
 NUMBERS = ("--young", "--poisson", "--depth", "--max-deflection", "--length-unit", "--resolution",
            "--contour", "--closing", "--rate", "--voxel", "--layer", "--base", "--reach", "--max-strain",
            "--friction", "--tangential-stiffness", "--scale", "--tolerance", "--error-tolerance",

@@ -16,6 +16,8 @@ namespace palpate
 namespace
 {
 constexpr double TimesItsFellows = 2.0;
+constexpr double LeastFold = 0.75;     // rad, 43°: round bodies of few facets turn by less
+constexpr double TimesFlatFaces = 5.0; // a surface with flat faces, not a scan of a round body
 
 Vector3 pointAt(const std::vector<float>& points, std::int32_t index)
 {
@@ -93,8 +95,8 @@ void CreaseCut::findSides(
   {
     for (std::size_t e = 0; e < 3; ++e)
     {
-      const double turn{ std::abs(turns[t][e]) };
-      if (turn < leastTurn)
+      const double turn{ turns[t][e] };
+      if (std::abs(turn) < leastTurn)
       {
         continue;
       }
@@ -104,13 +106,16 @@ void CreaseCut::findSides(
       const auto f = static_cast<std::size_t>(
         std::find(back.begin(), back.end(), static_cast<std::int32_t>(t)) - back.begin());
       const double beside{ std::max(leastOf(t, e), leastOf(n, f)) };
+      const PackedMesh::CreaseSide side{ static_cast<std::int32_t>(t), static_cast<std::int32_t>(e),
+        across, turns[t][e] };
       if (turn >= PackedMesh::BluntTurn || turn >= TimesItsFellows * beside)
       {
-        const bool isConvex = turns[t][e] > 0.0F;
-        this->IsCut[3 * t + e] = isConvex ? 1 : 0;
-        (isConvex ? this->Sides : this->Concave)
-          .push_back(
-            { static_cast<std::int32_t>(t), static_cast<std::int32_t>(e), across, turns[t][e] });
+        this->IsCut[3 * t + e] = 1;
+        this->Sides.push_back(side);
+      }
+      if (std::abs(turn) >= std::max(LeastFold, TimesFlatFaces * beside))
+      {
+        this->Folds.push_back(side);
       }
     }
   }
@@ -169,40 +174,31 @@ std::vector<std::uint8_t> CreaseCut::folded(bool isCut) const
     const auto edge = static_cast<std::size_t>(side.edge);
     return std::array<std::int32_t, 2>{ corners[edge], corners[(edge + 1) % 3] };
   };
-  std::unordered_map<std::int32_t, int> sidesAt; // number of crease sides that end at each point
-  for (const auto* sides : { &this->Sides, &this->Concave })
+  std::unordered_map<std::int32_t, int> sidesAt; // number of sides that end at each point
+  for (const PackedMesh::CreaseSide& side : this->Folds)
   {
-    for (const PackedMesh::CreaseSide& side : *sides)
+    for (const std::int32_t point : endsOf(side))
     {
-      for (const std::int32_t point : endsOf(side))
-      {
-        ++sidesAt[point];
-      }
+      ++sidesAt[point];
     }
   }
+  constexpr int sidesOfOneEdge = 2;
   std::vector<std::uint8_t> folded;
-  const auto fold = [&](const PackedMesh::CreaseSide& side)
+  for (const PackedMesh::CreaseSide& side : this->Folds)
   {
+    const auto [start, end] = endsOf(side);
+    const bool goesOn = std::min(sidesAt[start], sidesAt[end]) > sidesOfOneEdge;
+    if (!goesOn || (isCut && side.turn > 0.0F))
+    {
+      continue;
+    }
     folded.resize(this->Triangles.size());
-    for (const std::int32_t point : endsOf(side))
+    for (const std::int32_t point : { start, end })
     {
       const auto around = this->Links.around(point);
       std::for_each(around[0], around[1],
-        [&folded](std::int32_t t) { folded[static_cast<std::size_t>(t)] = 1; });
+        [&folded](std::int32_t triangle) { folded[static_cast<std::size_t>(triangle)] = 1; });
     }
-  };
-  for (const PackedMesh::CreaseSide& side : this->Concave)
-  {
-    constexpr int sidesOfOneEdge = 2;
-    const auto [start, end] = endsOf(side);
-    if (std::max(sidesAt[start], sidesAt[end]) > sidesOfOneEdge)
-    {
-      fold(side);
-    }
-  }
-  if (!isCut)
-  {
-    std::for_each(this->Sides.begin(), this->Sides.end(), fold);
   }
   return folded;
 }

@@ -34,9 +34,12 @@ public:
   {
     return this->Parts[3 * triangle + corner];
   }
-  /// Marks the triangles with a corner on a crease at which the surface is not cut: a concave
-  /// crease and, unless `isCut`, a convex one. There the normals of the points differ from those of
-  /// the faces. Returns 1 for each marked triangle, else 0; empty if no triangle is marked.
+  /// Marks the triangles with a corner on a crease between flat faces, if the surface is not cut
+  /// there: a concave crease and, unless `isCut`, a convex one. The normals of the points there
+  /// differ from those of the faces. At such a crease the turn is at least 43° and at least five
+  /// times the smallest turn at the other sides of each of its two triangles, and at both ends of
+  /// the edge another such crease ends. Returns 1 for each marked triangle, else 0; empty if no
+  /// triangle is marked.
   std::vector<std::uint8_t> folded(bool isCut) const;
 
 private:
@@ -48,9 +51,9 @@ private:
   const std::vector<TriangleCorners>& Triangles;
   const TriangleLinks& Links;
   std::vector<PackedMesh::CreaseSide> Sides;
-  std::vector<PackedMesh::CreaseSide> Concave; ///< both sides of each concave crease
-  std::vector<std::uint8_t> IsCut;             ///< 3 values per triangle
-  std::vector<int> Parts;                      ///< 3 values per triangle
+  std::vector<PackedMesh::CreaseSide> Folds; ///< both sides of each crease between flat faces
+  std::vector<std::uint8_t> IsCut;           ///< 3 values per triangle
+  std::vector<int> Parts;                    ///< 3 values per triangle
 };
 } // namespace palpate
 

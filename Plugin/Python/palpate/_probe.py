@@ -83,7 +83,7 @@ def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = ..., time
 def probe(body: Body, tips: Union[Reals, vtkPolyData], *, path: bool = False, time: Optional[Reals] = None,
           friction: float = 0.0, tangential_stiffness: float = 1.0, friction_model: FrictionModel = "elasto-plastic",
           friction_breakaway: float = 0.8, friction_stick_radius: float = 0.9, poisson: float = 0.5,
-          force_form: ForceForm = "energy-consistent", surface: Surface = "smooth", indentation: float = 0.0,
+          force_form: ForceForm = "normalized-direction", surface: Surface = "facets", indentation: float = 0.0,
           name: str = "Response", relaxation_elements: int = 16, axis: Optional[Reals] = None,
           coupled: bool = False) -> Union[Probe, CoupledProbe]:
     """Computes the contact force at given tool tips with the kernel of the servo tick.

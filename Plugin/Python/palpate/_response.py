@@ -23,7 +23,7 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
              maximum_deflection: float = 2.0, samples: int = 8, name: str = "Response",
              compliance_excludes_layer: bool = False, curvature: bool = True, strain: Strain = "small",
              error_tolerance: float = 0.05, layers: Sequence[Layer] = (), automatic: Optional[float] = None,
-             edges: bool = True, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
+             edges: bool = False, relax: Sequence[Tuple[PerPoint, float]] = (), compliance_relaxes: bool = True,
              coupling: bool = False, tilt: float = 0.0, points: Optional[Reals] = None,
              tissues: Optional[Mapping[float, Tuple[float, float]]] = None, fixed: str = "z-", spacing: float = 0.0,
              progress: Optional[Callable[[str, float], Any]] = None) -> vtkPolyData:
@@ -65,7 +65,7 @@ def response(body: Body, tool: Tool = "sphere:5", young: PerPoint = 0.1, poisson
         from the law if together they change the force by at most this fraction. "neo-hooke" is added if it is tabulated
         for the tool and changes the force by more. The field array NAME + Terms lists the included and omitted terms,
         with the reasons. With None or False, the terms are those of the other arguments.
-    edges : whether sharp edges have an effect in palpate.probe and in sessions (the default). Then a contact near an edge
+    edges : whether sharp edges have an effect in palpate.probe and in sessions. Then a contact near an edge
         is softer and is pushed off the body, and its force falls to zero gradually as it passes over the edge. With
         False, the force drops to zero at the edge.
     relax : relaxation of the body as up to four pairs (strength, seconds). E(t) = E (1 + sum of strength exp(-t/seconds)),

@@ -200,9 +200,9 @@ std::optional<int> readCommandLine(int argc, char** argv, ViewerOptions& options
       "flat)")
     ->disable_flag_override();
   app
-    .add_flag("--edges,!--no-edges", options.terms.edges,
-      "include sharp edges (default): a contact near an edge is softer, and its force falls to "
-      "zero without a jump as it leaves over the edge; --no-edges: the force drops at an edge")
+    .add_flag("--edges", options.terms.edges,
+      "include sharp edges: a contact near an edge is softer, and its force falls to zero without "
+      "a jump as it leaves over the edge")
     ->excludes("--measured")
     ->disable_flag_override();
   app

@@ -344,6 +344,7 @@ void checkWithEdges()
   {
     const auto response = makeResponse(body, tool);
     response->WholeBodyOn();
+    response->EdgeCorrectionOn();
     response->Update();
     PALPATE_CHECK(
       (response->GetOutput()->GetPointData()->HasArray("GlobalCompliance") != 0) == hasCompliance);
