@@ -86,13 +86,25 @@ Vector3 clamped(const Vector3& weights)
 }
 } // namespace
 
+/// Whether the triangle is folded and its normals are the means of the triangles around its
+/// corners. Other normals are those of a surface that the user means to be round.
+bool SmoothContact::isFlat(std::int32_t triangle) const noexcept
+{
+  constexpr double leastCosine = 0.99; // 8°: means with other weights are closer than that
+  const auto& corners = this->Mesh.corners(triangle);
+  return this->Mesh.isFolded(triangle) &&
+    std::all_of(corners.begin(), corners.end(),
+      [this](std::int32_t point)
+      { return this->Response.normal(point).dot(this->Mesh.pointNormal(point)) > leastCosine; });
+}
+
 bool SmoothContact::load(std::int32_t triangle) noexcept
 {
   if (triangle != this->Loaded)
   {
     const auto& corners = this->Mesh.corners(triangle);
     this->Loaded = triangle;
-    this->IsSound = !this->Mesh.isFolded(triangle) &&
+    this->IsSound = !this->isFlat(triangle) &&
       this->Patch.build({ this->Mesh.corner(triangle, 0), this->Mesh.corner(triangle, 1),
                           this->Mesh.corner(triangle, 2) },
         { this->Response.normal(corners[0]), this->Response.normal(corners[1]),

@@ -70,6 +70,7 @@ public:
 
 private:
   class Descent;
+  bool isFlat(std::int32_t triangle) const noexcept;
   bool load(std::int32_t triangle) noexcept;
 
   const PackedMesh& Mesh;
