@@ -16,8 +16,7 @@
  * | FrictionCoefficient | Coulomb's μ; 0 disables friction | finite, >= 0 | 0 |
  * | TangentialStiffness | stiffness of the sticking contact, N/mm | finite, > 0 | 1 |
  * | FrictionBreakaway | fraction of the limit below which the contact sticks | 0 to 1 | 0.8 |
- * | FrictionStickRadius | fraction of the limit at which half of a step is creep | > 0, >=
- * breakaway | 0.9 |
+ * | FrictionStickRadius | fraction at which half of a step is creep | > 0, >= breakaway | 0.9 |
  * | PoissonRatio | Poisson's ratio of the body, for ShapeDerived friction | 0 to 0.5 | 0.5 |
  * | RelaxationElements | number of elements of a contact on a body that relaxes | 0 to 32 | 16 |
  *
