@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The data contract of Palpate's response arrays, evaluated in numpy.
 
-The module works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a
-prefix. The samples i = 1..n are at d_i = range (i/n)^2. Between samples F(d) = d^m r(s), with s = sqrt(d/range) and the
-cubic Hermite spline r. Below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the
-last tangent.
+It works in any Python and ParaView, without the plugin. Units: mm, N, MPa. The arrays of a response share a prefix. The
+samples i = 1..n are at d_i = range (i/n)^2. Between them F(d) = d^m r(s), s = sqrt(d/range), r a cubic Hermite spline;
+below d_1 the force is the power F_1 (d/d_1)^q, q = K_1 d_1/F_1; beyond the range it follows the last tangent.
 """
 import numpy as np
 
