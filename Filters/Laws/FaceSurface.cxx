@@ -128,10 +128,4 @@ SurfaceCurvature FaceForms::curvature(double contactRadius) const
   }
   return SurfaceCurvature(std::move(sums));
 }
-
-SurfaceCurvature SurfaceCurvature::ofFaces(
-  const TriangleSpans& surface, const float* normals, double contactRadius)
-{
-  return FaceForms(surface, normals).curvature(contactRadius);
-}
 } // namespace palpate

@@ -44,8 +44,10 @@ private:
   std::vector<bool> IsCut; ///< whether each point is on a sharp edge
 };
 
-/// The curvature of the faces between sharp edges (SurfaceCurvature::ofFaces), for any number of
-/// contact radii. Does not refer to the arrays after construction.
+/// The curvature of the faces between sharp edges (CreaseCut), for contacts that leave the body
+/// over these edges (BodyEdges), and for any number of contact radii. The angle at an edge does not
+/// count as curvature. At a point on an edge the mean over its faces is used. Does not refer to the
+/// arrays after construction.
 class PALPATE_EXPORT FaceForms
 {
 public:

@@ -67,12 +67,11 @@ public:
   SurfaceCurvature(const TriangleSpans& surface, const float* normals, double contactRadius);
   /// As above, from forms that can be used for several radii.
   SurfaceCurvature(const SurfaceForms& forms, double contactRadius);
-
-  /// Returns the curvature of the faces between sharp edges (CreaseCut), for contacts that leave
-  /// the body over these edges (BodyEdges). The angle at an edge does not count as curvature. At a
-  /// point on an edge the mean over its faces is used.
-  static SurfaceCurvature ofFaces(
-    const TriangleSpans& surface, const float* normals, double contactRadius);
+  /// From known curvatures, one per point.
+  explicit SurfaceCurvature(std::vector<PointCurvature>&& found)
+    : Found(std::move(found))
+  {
+  }
 
   SpotCurvature at(std::size_t point) const noexcept
   {
@@ -82,12 +81,6 @@ public:
   }
 
 private:
-  friend class FaceForms;
-  explicit SurfaceCurvature(std::vector<PointCurvature>&& found)
-    : Found(std::move(found))
-  {
-  }
-
   std::vector<PointCurvature> Found;
 };
 } // namespace palpate

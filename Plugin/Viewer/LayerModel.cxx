@@ -37,7 +37,7 @@ std::string rounded(double value, int decimals)
   return stream.str();
 }
 
-/// Returns the array with the total thickness of all layers from a scan, Returns null if the
+/// Returns the array with the total thickness of all layers from a scan. Returns null if the
 /// thickness is not scanned.
 vtkDataArray* scannedThickness(const ViewerScene& scene)
 {

@@ -2,6 +2,7 @@
 // Curvatures of meshes of analytic surfaces, exact and noisy, against the mean curvature that acts
 // on a contact. The stated error is at least the true error at 95 of 100 points, and of the same
 // size.
+#include "Laws/FaceSurface.h"
 #include "Laws/SurfaceCurvature.h"
 #include "Mechanics/Numerics/Constants.h"
 
@@ -356,8 +357,7 @@ TEST(SurfaceCurvature, FacesEndAtSharpEdges)
   }
   for (const double contactRadius : { 0.5, 5.0 })
   {
-    const SurfaceCurvature found =
-      SurfaceCurvature::ofFaces(surface, normals.data(), contactRadius);
+    const SurfaceCurvature found = FaceForms(surface, normals.data()).curvature(contactRadius);
     for (std::size_t i = around; i + around < surface.pointCount; ++i)
     {
       const auto ring = static_cast<int>(i) / around + 1;
